@@ -1,0 +1,35 @@
+// facts.h -- what can be known of a Program without deriving: one table that
+// the code generator, describe() and `lsysc analyze` read.
+#ifndef LSYSC_ANALYSIS_FACTS_H
+#define LSYSC_ANALYSIS_FACTS_H
+
+#include "frontend/program.h"
+#include "lsys/abi.h"
+
+typedef struct KindFacts {
+  bool reachable;   // from an axiom, through productions and decomposition
+  bool terminal;    // LSYS_KIND_TERMINAL
+  bool fixed;       // LSYS_KIND_FIXED
+  bool key;         // LSYS_KIND_KEY
+  Productions own;  // the main system's productions whose strict predecessor it is (context-free or not), file order
+  Productions decompositions, homomorphisms;
+} KindFacts;
+
+typedef struct Facts {
+  KindFacts *kinds;    // program->kind_count of them
+  bool context_free;   // no contexts, pseudo-productions, cut, ring, queries, globals: the expand engine applies
+  bool deterministic;  // nothing draws
+  bool parametric, bracketed, stochastic, sequential, tables;
+  bool counts_by_kind;                       // the growth matrix exists: counts depend on kinds alone
+  LsysGrowth growth;                         // see abi.h; row == NULL unless counts_by_kind
+  size_t longest_successor, most_arguments;  // over productions and decompositions, in modules and doubles
+} Facts;
+
+Facts *facts_find(Arena *arena, const Program *program);
+
+// The descriptor of a grammar with everything but its function pointers, in
+// the arena. Code generation freezes it into constants, the interpreter and
+// the JIT use it as it is.
+LsysGrammar *describe(Arena *arena, const Program *program, const Facts *facts);
+
+#endif

@@ -1,0 +1,94 @@
+// source.c -- files in one space of offsets; lines are found by counting when
+// a message needs them.
+#include "support/source.h"
+
+#include "support/vec.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+struct Sources {
+  Arena *arena;
+  VEC(SourceFile *) files;  // by base
+  uint32_t next;            // base of the next file; offset 0 is nowhere
+};
+
+enum { MOST_BYTES = INT32_MAX };
+
+Sources *sources_create(Arena *arena) {
+  Sources *sources = ARENA_NEW(arena, Sources);
+  sources->arena = arena;
+  sources->next = 1;
+  return sources;
+}
+
+const SourceFile *sources_add(Sources *sources, const char *path, const char *text, size_t length, Span included_from) {
+  if (length >= MOST_BYTES - sources->next) return NULL;
+  SourceFile *file = ARENA_NEW(sources->arena, SourceFile);
+  *file = (SourceFile){path, text, length, sources->next, included_from};
+  *VEC_PUSH(sources->arena, &sources->files) = file;
+  sources->next += (uint32_t)length + 1;  // the end of a file is a place of its own
+  return file;
+}
+
+// All bytes of a stream and a NUL; NULL with *why set when reading fails.
+static char *slurp(Arena *arena, FILE *in, size_t *length, const char **why) {
+  VEC(char) bytes = {0};
+  char buffer[1 << 16];
+  size_t got;
+  while ((got = fread(buffer, 1, sizeof buffer, in)) > 0) {
+    if (bytes.count + got >= MOST_BYTES) {
+      *why = "is larger than 2 GiB";
+      return NULL;
+    }
+    while (bytes.capacity - bytes.count <= got) bytes.at = vec_grow(arena, bytes.at, bytes.count, &bytes.capacity, 1);
+    memcpy(bytes.at + bytes.count, buffer, got);
+    bytes.count += got;
+  }
+  if (ferror(in)) {
+    *why = strerror(errno);
+    return NULL;
+  }
+  *length = bytes.count;
+  return arena_copy(arena, bytes.at, bytes.count);
+}
+
+const SourceFile *sources_read(Sources *sources, const char *path, Span included_from, const char **why) {
+  bool standard = strcmp(path, "-") == 0;
+  struct stat info;
+  if (!standard && stat(path, &info) == 0 && S_ISDIR(info.st_mode)) {
+    *why = "is a directory";
+    return NULL;
+  }
+  FILE *in = standard ? stdin : fopen(path, "rb");
+  if (!in) {
+    *why = errno == ENOENT ? "no such file" : strerror(errno);
+    return NULL;
+  }
+  size_t length = 0;
+  char *text = slurp(sources->arena, in, &length, why);
+  if (!standard) fclose(in);
+  if (!text) return NULL;
+  path = arena_copy(sources->arena, standard ? "<stdin>" : path, standard ? 7 : strlen(path));
+  const SourceFile *file = sources_add(sources, path, text, length, included_from);
+  if (!file) *why = "is too large together with the other files";
+  return file;
+}
+
+const SourceFile *sources_file(const Sources *sources, uint32_t offset) {
+  for (size_t i = sources->files.count; offset && i-- > 0;)
+    if (sources->files.at[i]->base <= offset) return sources->files.at[i];
+  return NULL;
+}
+
+Place sources_place(const Sources *sources, uint32_t offset) {
+  Place place = {sources_file(sources, offset), 1, 1};
+  if (!place.file) return place;
+  const char *text = place.file->text, *end = text + (offset - place.file->base), *line = text;
+  for (const char *next; (next = memchr(line, '\n', (size_t)(end - line))) != NULL; line = next + 1) place.line++;
+  for (; line < end; line++)
+    if (((unsigned char)*line & 0xC0) != 0x80) place.column++;
+  return place;
+}

@@ -1,0 +1,167 @@
+// abi.h -- the contract between a compiled grammar and the run time.
+//
+// Code generation exports one LsysGrammar, a constant descriptor: metadata and
+// function pointers. The interpreter fills the same descriptor with its own
+// `derive`. The run time (drivers, sinks, turtle, command line) knows grammars
+// by this header alone; compiled code calls only the functions at its end.
+//
+// A word is three parallel streams, without padding:
+//
+//   sym   | A | [ | F | ] | ...       one byte a module (two where a grammar has over 256 kinds)
+//   arg   | A.0 | A.1 | F.0 | ...     doubles, all arguments back to back
+//   key   | A | ...                   64 bits, only of kinds with LSYS_KIND_KEY
+#ifndef LSYS_ABI_H
+#define LSYS_ABI_H
+
+#include "lsys/functions.h"
+#include "lsys/keys.h"
+#include "lsys/settings.h"
+#include "lsys/turtle.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define LSYS_ABI_VERSION 1u
+
+typedef struct LsysGrammar LsysGrammar;
+typedef struct LsysRun LsysRun;
+typedef struct LsysStream LsysStream;
+
+enum {
+  LSYS_KIND_KEY = 1,       // its modules carry a key: it can still draw in the derivation
+  LSYS_KIND_TERMINAL = 2,  // no production of any table, no decomposition: it stays as it is for ever
+  LSYS_KIND_FIXED = 4,     // no arguments, and its derivation never draws nor reads globals, tables or contexts:
+                           // after s steps it is always the same word (blocks, below)
+};
+
+typedef struct LsysKind {
+  const char *symbol;  // UTF-8, as written
+  uint16_t arity;
+  uint8_t turtle;  // LsysTurtleOp
+  uint8_t flags;   // LSYS_KIND_*
+} LsysKind;
+
+// A packed word, or a part of one: nsym modules, narg arguments, nkey keys.
+typedef struct LsysWord {
+  const uint8_t *sym;
+  const double *arg;
+  const uint64_t *key;
+  uint64_t nsym, narg, nkey;
+} LsysWord;
+
+// Where a compiled production writes. The cursors are the next free places;
+// room to a limit is checked once per production, and lsys_flush makes some.
+struct LsysStream {
+  uint8_t *sym;
+  double *arg;
+  uint64_t *key;
+  uint8_t *sym_limit;
+  double *arg_limit;
+  uint64_t *key_limit;
+  LsysRun *run;
+  uintptr_t stack_limit;  // a recursion whose frame lies below calls lsys_too_deep
+};
+
+// A word that a fixed kind becomes.
+typedef struct LsysBlock {
+  const uint8_t *sym;
+  const double *arg;
+  uint64_t nsym, narg;
+} LsysBlock;
+
+struct LsysRun {
+  const LsysGrammar *grammar;
+  double *value;                  // settings, constants, params, globals, array elements
+  uint64_t root;                  // lsys_root(seed)
+  uint64_t steps;                 // of the whole derivation
+  const LsysBlock *const *block;  // block[kind][s], s < block_levels[kind]: what a fixed kind is after s steps
+  const uint64_t *block_levels;   // 0 for a kind without blocks
+};
+
+typedef struct LsysParam {
+  const char *name;
+  uint32_t value;    // its slot in LsysRun.value
+  double low, high;  // inclusive; infinite where unbounded
+  const char *text;  // the default as written in the grammar
+} LsysParam;
+
+typedef struct LsysAxiom {
+  LsysWord word;  // nkey = 0: the run time makes the keys; arguments that are no constants hold 0 until `axiom` ran
+} LsysAxiom;
+
+// The number of modules of each kind that one module of a kind becomes in one step, as sparse rows:
+// entries row[k] .. row[k+1]-1 belong to kind k. Present (row != NULL) only if the counts depend on kinds alone.
+typedef struct LsysGrowth {
+  const uint32_t *row;
+  const uint32_t *kind;
+  const uint32_t *count;
+} LsysGrowth;
+
+enum {
+  LSYS_GRAMMAR_RANDOM = 1,         // something draws: the seed matters
+  LSYS_GRAMMAR_EXPAND = 2,         // context-free: `expand` is there
+  LSYS_GRAMMAR_SEQUENTIAL = 4,     // productions write globals: in order, one thread
+  LSYS_GRAMMAR_TABLES = 8,         // which productions apply depends on the step's number
+  LSYS_GRAMMAR_HOMOMORPHISM = 16,  // `homomorphism` is there
+  LSYS_GRAMMAR_WIDE = 32,          // symbols take two bytes
+};
+
+struct LsysGrammar {
+  uint32_t abi_version;
+  uint32_t flags;
+  const char *name;
+  uint32_t kind_count;
+  const LsysKind *kinds;
+  uint32_t param_count;
+  const LsysParam *params;
+  uint32_t axiom_count;
+  const LsysAxiom *axioms;
+  uint32_t value_count;  // size of LsysRun.value
+  uint64_t seed;         // default seed
+  uint32_t room_sym;     // the most that one production or one call of a compiled function writes
+  uint32_t room_arg;     //   between two checks for room
+  uint32_t room_key;
+  uint32_t frame_bytes;  // bound on the native stack that one level of `expand` takes
+  LsysGrowth growth;
+
+  // Fills run->value: settings, constants, params. given[i] says that param i was set on the
+  // command line and its value already stands in its slot.
+  void (*init)(LsysRun *run, const uint8_t *given);
+
+  // Overwrites the arguments of axiom `which` that are not constants. arg has room for all of them;
+  // key[i] = lsys_split(root, place of module i among all start words), one per module. NULL: none to do.
+  void (*axiom)(LsysRun *run, uint32_t which, double *arg, const uint64_t *key);
+
+  // Derives every module of `in` by `steps` steps, the last ones of the derivation, and writes the
+  // result in order to out. NULL for grammars that are not context-free.
+  void (*expand)(LsysStream *out, const LsysWord *in, uint64_t steps);
+
+  // The interpreter: derives axiom `which` by `steps` steps and writes the result to out. NULL in compiled grammars.
+  void (*derive)(LsysRun *run, uint32_t which, uint64_t steps, LsysStream *out, void *data);
+  void *derive_data;
+};
+
+// ---- what compiled code calls ----------------------------------------------
+
+// Hands on what was written and makes room for at least the grammar's room_sym, room_arg and room_key.
+// Does not return when the run has to stop (longjmp to the driver: compiled code owns nothing).
+void lsys_flush(LsysStream *out);
+
+// Appends a word of any length without keys.
+void lsys_append(LsysStream *out, const uint8_t *sym, uint64_t nsym, const double *arg, uint64_t narg);
+
+// Reports that the recursion took all of the stack that was set aside; does not return.
+void lsys_too_deep(LsysStream *out);
+
+// The functions that compiled code may call, by name: what the JIT binds.
+typedef struct LsysSymbol {
+  const char *name;
+  void *address;
+} LsysSymbol;
+extern const LsysSymbol lsys_symbols[];
+extern const size_t lsys_symbol_count;
+
+// The command line of a compiled program around a grammar (options.def); returns the exit status.
+int lsys_main(const LsysGrammar *grammar, int argc, char **argv);
+
+#endif

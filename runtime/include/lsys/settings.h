@@ -1,0 +1,19 @@
+// settings.h -- the run's settings: slots 0 .. LSYS_SETTING_COUNT-1 of its value array.
+#ifndef LSYS_SETTINGS_H
+#define LSYS_SETTINGS_H
+
+typedef enum LsysSetting {
+#define SETTING(id, keyword, others, value, unit, doc) LSYS_SETTING_##id,
+#include "lsys/settings.def"
+  LSYS_SETTING_COUNT
+} LsysSetting;
+
+typedef struct LsysSettingInfo {
+  const char *keyword, *others;
+  double value;
+  const char *unit, *doc;
+} LsysSettingInfo;
+
+extern const LsysSettingInfo lsys_settings[LSYS_SETTING_COUNT];
+
+#endif
