@@ -1,0 +1,115 @@
+// describe.c -- Program + Facts -> LsysGrammar without its function pointers.
+// Requires: facts of this program. Ensures: every word of the descriptor is
+// packed, every argument that is no constant holds 0 (the `axiom` function
+// overwrites those), and nothing points outside the arena.
+#include "analysis/facts.h"
+
+#include <math.h>
+#include <string.h>
+
+static uint8_t kind_flags(const KindFacts *kind) {
+  return (uint8_t)((kind->key ? LSYS_KIND_KEY : 0) | (kind->terminal ? LSYS_KIND_TERMINAL : 0)
+                   | (kind->fixed ? LSYS_KIND_FIXED : 0));
+}
+
+static const LsysKind *describe_kinds(Arena *arena, const Program *program, const Facts *facts) {
+  LsysKind *kinds = arena_array(arena, program->kind_count, sizeof *kinds);
+  for (size_t k = 0; k < program->kind_count; k++) {
+    const Kind *kind = &program->kinds[k];
+    kinds[k] = (LsysKind){kind->symbol, (uint16_t)kind->arity, (uint8_t)kind->turtle, kind_flags(&facts->kinds[k])};
+  }
+  return kinds;
+}
+
+static double bound(const Program *program, const Expr *expr, double otherwise) {
+  double value;
+  return expr && expr_constant(program, expr, &value) ? value : otherwise;
+}
+
+static void describe_params(Arena *arena, const Program *program, LsysGrammar *grammar) {
+  LsysParam *params = arena_array(arena, program->value_count, sizeof *params);
+  for (size_t v = 0; v < program->value_count; v++) {
+    const Value *value = &program->values[v];
+    if (value->kind != VALUE_PARAM) continue;
+    params[grammar->param_count++] = (LsysParam){.name = value->name,
+                                                 .value = (uint32_t)(LSYS_SETTING_COUNT + v),
+                                                 .low = bound(program, value->low, -INFINITY),
+                                                 .high = bound(program, value->high, INFINITY),
+                                                 .text = value->text};
+  }
+  grammar->params = params;
+}
+
+static LsysWord pack_word(Arena *arena, const Program *program, const Word *word) {
+  bool wide = program->kind_count > 256;
+  uint8_t *sym = arena_array(arena, word->count, wide ? 2 : 1);
+  size_t arguments = word_arguments(program, word), n = 0;
+  double *arg = arena_array(arena, arguments, sizeof *arg);
+  for (size_t i = 0; i < word->count; i++) {
+    const Module *module = &word->at[i];
+    if (wide) {
+      uint16_t symbol = (uint16_t)module->kind;
+      memcpy(sym + 2 * i, &symbol, sizeof symbol);
+    } else {
+      sym[i] = (uint8_t)module->kind;
+    }
+    for (uint32_t a = 0; a < program->kinds[module->kind].arity; a++) {
+      if (!expr_constant(program, module->args[a], &arg[n])) arg[n] = 0;
+      n++;
+    }
+  }
+  return (LsysWord){.sym = sym, .arg = arg, .nsym = word->count, .narg = arguments};
+}
+
+static void describe_axioms(Arena *arena, const Program *program, LsysGrammar *grammar) {
+  LsysAxiom *axioms = arena_array(arena, program->axiom_count, sizeof *axioms);
+  for (size_t i = 0; i < program->axiom_count; i++) axioms[i].word = pack_word(arena, program, &program->axioms[i]);
+  grammar->axioms = axioms;
+  grammar->axiom_count = (uint32_t)program->axiom_count;
+}
+
+static size_t larger(size_t a, size_t b) {
+  return a > b ? a : b;
+}
+
+// Room for one successor, and for one module that stays.
+static void describe_room(const Program *program, const Facts *facts, LsysGrammar *grammar) {
+  size_t arity = 0;
+  bool keys = false;
+  for (size_t k = 0; k < program->kind_count; k++) {
+    arity = larger(arity, program->kinds[k].arity);
+    keys |= facts->kinds[k].key;
+  }
+  grammar->room_sym = (uint32_t)larger(1, facts->longest_successor);
+  grammar->room_arg = (uint32_t)larger(arity, facts->most_arguments);
+  grammar->room_key = keys ? grammar->room_sym : 0;
+}
+
+static uint32_t grammar_flags(const Program *program, const Facts *facts) {
+  uint32_t flags = 0;
+  if (!facts->deterministic) flags |= LSYS_GRAMMAR_RANDOM;
+  if (facts->context_free) flags |= LSYS_GRAMMAR_EXPAND;
+  if (facts->sequential) flags |= LSYS_GRAMMAR_SEQUENTIAL;
+  if (facts->tables) flags |= LSYS_GRAMMAR_TABLES;
+  if (program->kind_count > 256) flags |= LSYS_GRAMMAR_WIDE;
+  for (size_t i = 0; i < program->lsystem_count; i++) {
+    if (program->lsystems[i].homomorphism.productions.count) flags |= LSYS_GRAMMAR_HOMOMORPHISM;
+  }
+  return flags;
+}
+
+LsysGrammar *describe(Arena *arena, const Program *program, const Facts *facts) {
+  LsysGrammar *grammar = ARENA_NEW(arena, LsysGrammar);
+  grammar->abi_version = LSYS_ABI_VERSION;
+  grammar->flags = grammar_flags(program, facts);
+  grammar->name = program->name;
+  grammar->kind_count = (uint32_t)program->kind_count;
+  grammar->kinds = describe_kinds(arena, program, facts);
+  describe_params(arena, program, grammar);
+  describe_axioms(arena, program, grammar);
+  grammar->value_count = (uint32_t)program->total_values;
+  grammar->seed = program->seed;
+  describe_room(program, facts, grammar);
+  grammar->growth = facts->growth;
+  return grammar;
+}
