@@ -104,6 +104,7 @@ enum {
   LSYS_GRAMMAR_TABLES = 8,         // which productions apply depends on the step's number
   LSYS_GRAMMAR_HOMOMORPHISM = 16,  // `homomorphism` is there
   LSYS_GRAMMAR_WIDE = 32,          // symbols take two bytes
+  LSYS_GRAMMAR_WHOLE = 64,         // the homomorphism has contexts: it takes a whole word, not a part
 };
 
 struct LsysGrammar {
@@ -139,6 +140,10 @@ struct LsysGrammar {
   // The interpreter: derives axiom `which` by `steps` steps and writes the result to out. NULL in compiled grammars.
   void (*derive)(LsysRun *run, uint32_t which, uint64_t steps, LsysStream *out, void *data);
   void *derive_data;
+
+  // Writes what the homomorphism makes of the modules of `in`, in order and without keys, for sinks; `in` has its keys
+  // and is a part of a word, or a whole one if LSYS_GRAMMAR_WHOLE. NULL: a word is shown as it is.
+  void (*homomorphism)(LsysRun *run, const LsysWord *in, LsysStream *out);
 };
 
 // ---- what compiled code calls ----------------------------------------------
@@ -152,6 +157,13 @@ void lsys_append(LsysStream *out, const uint8_t *sym, uint64_t nsym, const doubl
 
 // Reports that the recursion took all of the stack that was set aside; does not return.
 void lsys_too_deep(LsysStream *out);
+
+// Tells that bytes more (fewer if negative) are held for this run. Does not return when that
+// exceeds --max-memory: call it before allocating, and keep what is held where the next run finds it.
+void lsys_charge(LsysRun *run, int64_t bytes);
+
+// Ends the run with a message for the user, such as an array's index out of range; does not return.
+_Noreturn void lsys_fail(LsysRun *run, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 // The functions that compiled code may call, by name: what the JIT binds.
 typedef struct LsysSymbol {
