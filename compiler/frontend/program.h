@@ -17,8 +17,12 @@ typedef uint32_t KindId;
 #define KIND_NONE UINT32_MAX
 
 // A symbol with a number of arguments. Kinds are numbered in the order in
-// which they first stand in the grammar; `[`, `]` and `%` are kinds like
-// others. The number is the module's symbol byte (LANGUAGE.md section 9).
+// which they first stand in the grammar: the modules of axioms and of all
+// productions (every section and L-system) are read in file order, within a
+// production left context, strict predecessor, right context, successor, each
+// from left to right. Declarations, `ignore:` and surfaces number nothing, nor
+// do `=` and `@]` in a right context; `[`, `]` and `%` are kinds like others.
+// The number is the module's symbol byte (LANGUAGE.md section 9).
 typedef struct Kind {
   const char *symbol;  // UTF-8, as scanned: "F", "a_r", "plant", "@Gs"
   uint32_t arity;
@@ -179,6 +183,8 @@ typedef struct Value {
   Expr *low, *high;  // VALUE_PARAM: constants; NULL: unbounded
   const char *text;  // VALUE_PARAM: the default as written, for --help
   Span span;
+  bool known;     // VALUE_DEFINE: init is made of numbers and known values alone, so that
+  double number;  //   this is its value in every run
 } Value;
 
 typedef struct UserFunction {  // #define NAME(a,b) expr; never recursive
@@ -186,6 +192,7 @@ typedef struct UserFunction {  // #define NAME(a,b) expr; never recursive
   uint32_t arity;
   Expr *body;  // parameters are EXPR_PARAMETER slots 0..arity-1
   Span span;
+  bool draws;  // a call can draw a random number
 } UserFunction;
 
 typedef struct Array {
@@ -217,7 +224,7 @@ typedef struct Program {
   size_t lsystem_count;  // at least 1
   Value *values;
   size_t value_count;
-  uint32_t *value_order;               // dependency order in which values (indices) are initialised
+  uint32_t *value_order;               // all values (indices) in the order in which they are initialised
   size_t total_values;                 // settings + values + array elements
   Expr *settings[LSYS_SETTING_COUNT];  // NULL: the table's default; evaluated after the values
   uint64_t seed;                       // default seed
@@ -241,7 +248,7 @@ void program_dump(const Program *program, FILE *out);
 
 // ---- what passes ask of a Program ----------------------------------------
 
-// The value of an expression of numbers alone; false when it needs anything else.
+// The value of an expression of numbers and known #defines alone; false when it needs anything else.
 // Evaluates with the run-time library's own functions (lsys_pow, ...).
 bool expr_constant(const Program *program, const Expr *expr, double *value);
 
