@@ -1,0 +1,1 @@
+typedef int empty; // until the back end has sources
