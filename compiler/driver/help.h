@@ -1,0 +1,16 @@
+// help.h -- what lsysc says about itself, all of it read from the tables.
+#ifndef LSYSC_DRIVER_HELP_H
+#define LSYSC_DRIVER_HELP_H
+
+#include "driver/options.h"
+
+// The few lines for someone who typed `lsysc` alone.
+void help_short(FILE *out);
+
+// The help of lsysc (COMMAND_COMPILE) or of one command.
+void help_command(FILE *out, Command command);
+
+// `lsysc help NAME`: a command, or a topic such as turtle, functions, warnings, man, bash. False: no such topic.
+bool help_topic(FILE *out, const char *name);
+
+#endif

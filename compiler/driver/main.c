@@ -1,0 +1,196 @@
+// main.c -- lsysc: options, then the passes in order.
+//
+//   source -> Ast -> Program -> Facts, LsysGrammar -> interpreter | JIT | object -> program
+#include "driver/help.h"
+#include "driver/link.h"
+#include "driver/load.h"
+#include "driver/report.h"
+#if __has_include("frontend/fmt.h")
+#include "frontend/fmt.h"
+#else
+#define fmt_print(ast, out) ((void)(ast), (void)(out), report_error("this build has no formatter"))
+#endif
+#include "interp/interp.h"
+
+#include <stdlib.h>
+
+typedef struct Session {
+  const Options *options;
+  const char *program;  // argv[0]
+  Arena *arena;
+  Sources *sources;
+  Diag *diag;
+  const Program *checked;
+  const Facts *facts;
+  const LsysGrammar *description;
+} Session;
+
+static bool failed(const Session *session) {
+  return diag_errors(session->diag) > 0;
+}
+
+// Flushes what was printed to standard output; a full disk or a closed pipe is an error too.
+static bool printed(void) {
+  return (fflush(stdout) == 0 && !ferror(stdout)) || report_error("cannot write standard output");
+}
+
+// ---- what is done with a checked grammar ---------------------------------
+
+// The command line of the program: "lsysc run plant.lsys" stands for its name.
+static int run_program(const Session *session, const LsysGrammar *grammar) {
+  const Options *options = session->options;
+  size_t count = options->passed.count;
+  char **argv = arena_array(session->arena, count + 2, sizeof *argv);
+  argv[0] = arena_printf(session->arena, "%s %s %s", session->program, command_table[options->command].name,
+                         options->files.at[0]);
+  for (size_t i = 0; i < count; i++) argv[i + 1] = (char *)options->passed.at[i];
+  return lsys_main(grammar, (int)count + 1, argv);
+}
+
+static int run_jit(const Session *session) {
+  const Backend *backend = backend_load(session->arena, home_find(session->arena));
+  if (!backend) return EXIT_FAILURE;
+  Jit *jit = backend->jit(session->checked, session->facts, session->description, &session->options->backend,
+                          lsys_symbols, lsys_symbol_count, session->diag);
+  if (!jit) return EXIT_FAILURE;
+  int status = run_program(session, backend->jit_grammar(jit));
+  backend->jit_free(jit);
+  return status;
+}
+
+// Generated code as the back end writes it, in memory, so that no half-written file can be left behind.
+static char *generate(const Session *session, const BackendOptions *how, size_t *size) {
+  const Backend *backend = backend_load(session->arena, home_find(session->arena));
+  if (!backend) return NULL;
+  char *code = NULL;
+  FILE *out = open_memstream(&code, size);
+  bool done = out && backend->emit(session->checked, session->facts, session->description, how, out, session->diag);
+  if (out && fclose(out) != 0) done = report_error("out of memory");
+  if (done) return code;
+  free(code);
+  return NULL;
+}
+
+static int emit(const Session *session) {
+  const Options *options = session->options;
+  const char *name = output_name(session->arena, options, options->files.at[0]);
+  if (!name) return EXIT_FAILURE;
+  size_t size;
+  char *code = generate(session, &options->backend, &size);
+  if (!code) return EXIT_FAILURE;
+  bool done = options->program ? link_program(session->arena, options, home_find(session->arena), name, code, size)
+                               : output_write(session->arena, name, code, size);
+  free(code);
+  return done ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+static int dump_ir(const Session *session) {
+  BackendOptions how = session->options->backend;
+  how.emit = EMIT_LLVM;
+  size_t size;
+  char *code = generate(session, &how, &size);
+  if (!code) return EXIT_FAILURE;
+  fwrite(code, 1, size, stdout);
+  free(code);
+  return printed() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+static int print_native(const Session *session, const Ast *ast) {
+  const char *name = session->options->output ? session->options->output : "-";
+  char *text = NULL;
+  size_t size;
+  FILE *out = open_memstream(&text, &size);
+  if (!out) return EXIT_FAILURE;
+  fmt_print(ast, out);
+  bool done = fclose(out) == 0 && output_write(session->arena, name, text, size);
+  free(text);
+  return done ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+// ---- the passes ------------------------------------------------------------
+
+static int process(Session *session, const char *path) {
+  const Options *options = session->options;
+  const char *why;
+  const SourceFile *file = sources_read(session->sources, path, (Span){0}, &why);
+  if (!file) return report_error("%s: %s", path, why), EXIT_FAILURE;
+
+  if (options->dump == DUMP_TOKENS) {
+    parse_dump_tokens(session->arena, session->sources, session->diag, file, &options->parse, stdout);
+    return printed() && !failed(session) ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  const Ast *ast = parse_file(session->arena, session->sources, session->diag, file, &options->parse);
+  if (options->dump == DUMP_AST) ast_dump(ast, stdout);
+  if (failed(session)) return EXIT_FAILURE;
+  if (options->dump == DUMP_AST) return printed() ? EXIT_SUCCESS : EXIT_FAILURE;
+  if (options->command == COMMAND_FMT) return print_native(session, ast);
+
+  session->checked = check(session->arena, ast, session->diag);
+  if (failed(session) || !session->checked) return EXIT_FAILURE;
+  if (options->dump == DUMP_PROGRAM) return program_dump(session->checked, stdout), !printed();
+  if (options->command == COMMAND_CHECK) return EXIT_SUCCESS;
+
+  session->facts = facts_find(session->arena, session->checked);
+  if (options->dump == DUMP_FACTS || options->command == COMMAND_ANALYZE)
+    return report_error("this build has no report on facts"), EXIT_FAILURE;
+
+  session->description = describe(session->arena, session->checked, session->facts);
+  if (options->dump == DUMP_IR) return dump_ir(session);
+  if (options->command == COMMAND_RUN) return run_jit(session);
+  if (options->command == COMMAND_INTERP)
+    return run_program(session, interp_grammar(session->arena, session->checked, session->description));
+  return emit(session);
+}
+
+// One file is one compilation: its memory is released before the next one begins.
+static int compile(const Options *options, const char *program, const char *path) {
+  Arena *arena = arena_create();
+  Session session = {.options = options, .program = program, .arena = arena, .sources = sources_create(arena)};
+  session.diag = diag_create(arena, session.sources, &options->diag);
+  int status = process(&session, path);
+  arena_destroy(arena);
+  return status;
+}
+
+// ---- the command line --------------------------------------------------------
+
+static int version(Arena *arena, const Options *options) {
+  puts("lsysc " LSYSC_VERSION);
+  if (options->verbose) {
+    const Backend *backend = backend_load(arena, home_find(arena));
+    if (!backend) return EXIT_FAILURE;
+    puts(backend->version());
+  }
+  return printed() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+static int help(const Options *options) {
+  if (options->command != COMMAND_HELP || options->files.count == 0)
+    help_command(stdout, options->command == COMMAND_HELP ? COMMAND_COMPILE : options->command);
+  else if (!help_topic(stdout, options->files.at[0]))
+    return report_error("`%s` is no command and no topic; `lsysc help` lists them", options->files.at[0]), EXIT_FAILURE;
+  return printed() ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+int main(int argc, char **argv) {
+  if (argc < 2) {
+    help_short(stderr);
+    return EXIT_FAILURE;
+  }
+  Arena *arena = arena_create();
+  Options options;
+  int status = EXIT_FAILURE;
+  if (!options_parse(arena, argc, argv, &options))
+    ;
+  else if (options.version)
+    status = version(arena, &options);
+  else if (options.help || options.command == COMMAND_HELP)
+    status = help(&options);
+  else {
+    status = EXIT_SUCCESS;
+    for (size_t i = 0; i < options.files.count; i++)
+      if (compile(&options, argv[0], options.files.at[i]) != EXIT_SUCCESS) status = EXIT_FAILURE;
+  }
+  arena_destroy(arena);
+  return status;
+}

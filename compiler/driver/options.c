@@ -1,0 +1,237 @@
+// options.c -- argv -> Options. Knows no option by name: all come from options.def.
+//
+// `run` and `interp` share their command line with the program that they run:
+// behind FILE, what lsysc does not know is the program's, and so are --help
+// and --version; behind `--` everything is.
+#include "driver/options.h"
+#include "driver/report.h"
+
+#include <string.h>
+
+enum {
+#define COMMAND(id, name, arguments, summary, doc) ON_##id = 1 << COMMAND_##id,
+#include "driver/options.def"
+  ON_CODE = ON_COMPILE | ON_RUN,
+  ON_FILES = (1 << COMMAND_COUNT) - 1 - ON_HELP,
+};
+
+const CommandRow command_table[COMMAND_COUNT] = {
+#define COMMAND(id, name, arguments, summary, doc) {name, arguments, summary, doc},
+#include "driver/options.def"
+};
+
+const OptionRow option_table[OPTION_COUNT] = {
+#define OPTION(id, spelling, how, value, commands, doc) {spelling, OPTION_##how, value, commands, doc},
+#include "driver/options.def"
+};
+
+typedef struct Reader {
+  Arena *arena;
+  Options *options;
+  Strings include_dirs;
+  char **at;  // the rest of argv, NULL at its end
+} Reader;
+
+// The place of value in a list "a|b|c", or -1.
+static int place_in(const char *list, const char *value) {
+  size_t length = strlen(value);
+  for (int place = 0;; place++) {
+    size_t item = strcspn(list, "|");
+    if (item == length && memcmp(list, value, length) == 0) return place;
+    if (!list[item]) return -1;
+    list += item + 1;
+  }
+}
+
+static void set_emit(Options *options, int place) {
+  static const EmitKind kinds[] = {EMIT_OBJECT, EMIT_OBJECT, EMIT_ASSEMBLY, EMIT_LLVM, EMIT_BITCODE};
+  options->program = place == 0;
+  options->backend.emit = kinds[place];
+}
+
+// place: of value in the option's list of accepted values; 0 for options without such a list.
+static bool apply(Reader *reader, OptionId id, const char *value, int place) {
+  Options *options = reader->options;
+  switch (id) {
+  case OPTION_OUTPUT:
+    options->output = value;
+    break;
+  case OPTION_OPTIMISE:
+    options->backend.optimise = (unsigned)place;
+    break;
+  case OPTION_DEBUG:
+    options->backend.debug = true;
+    break;
+  case OPTION_OBJECT:
+    set_emit(options, 1);
+    break;
+  case OPTION_ASSEMBLY:
+    set_emit(options, 2);
+    break;
+  case OPTION_EMIT:
+    set_emit(options, place);
+    break;
+  case OPTION_TARGET:
+    options->backend.target = value;
+    break;
+  case OPTION_MARCH:
+    options->backend.cpu = value;
+    break;
+  case OPTION_LINKER:
+    options->linker = value;
+    break;
+  case OPTION_INCLUDE:
+    *VEC_PUSH(reader->arena, &reader->include_dirs) = value;
+    break;
+  case OPTION_DIALECT:
+    options->parse.dialect = value;
+    break;
+  case OPTION_SYSTEM:
+    options->parse.system = value;
+    break;
+  case OPTION_DUMP:
+    options->dump = (Dump)(place + 1);
+    break;
+  case OPTION_WARNING:
+    if (!diag_option(&options->diag, value))
+      return report_error("unknown warning `-W%s`; `lsysc help warnings` lists them", value);
+    break;
+  case OPTION_NO_WARNINGS:
+    options->diag.no_warnings = true;
+    break;
+  case OPTION_COLOUR:
+    options->diag.colour = (ColourMode)place;
+    break;
+  case OPTION_VERBOSE:
+    options->verbose = true;
+    break;
+  case OPTION_HELP:
+    options->help = true;
+    break;
+  case OPTION_VERSION:
+    options->version = true;
+    break;
+  case OPTION_COUNT:
+    break;
+  }
+  return true;
+}
+
+// Whether argument is the option, and what stands behind it in the same argument (NULL: nothing can).
+static bool matches(const OptionRow *row, const char *argument, const char **rest) {
+  size_t length = strlen(row->spelling);
+  if (strncmp(argument, row->spelling, length) != 0) return false;
+  const char *behind = argument + length;
+  *rest = *behind ? behind : NULL;
+  switch (row->how) {
+  case OPTION_FLAG:
+    return !*behind;
+  case OPTION_JOINED:
+    *rest = behind;
+    return true;
+  case OPTION_SPACED:
+    return true;
+  case OPTION_EQUALS:
+    *rest = *behind == '=' ? behind + 1 : NULL;
+    return !*behind || *behind == '=';
+  }
+  return false;
+}
+
+static bool take_option(Reader *reader, OptionId id, const char *value) {
+  const OptionRow *row = &option_table[id];
+  if (row->how == OPTION_FLAG) return apply(reader, id, NULL, 0);
+  if (!value && *reader->at) value = *reader->at++;
+  if (!value || !*value) return report_error("`%s` needs a value: %s", row->spelling, row->value);
+  int place = strchr(row->value, '|') ? place_in(row->value, value) : 0;
+  if (place < 0) return report_error("`%s` takes %s, not `%s`", row->spelling, row->value, value);
+  return apply(reader, id, value, place);
+}
+
+static bool unknown(const Reader *reader, const char *argument) {
+  const char *names[OPTION_COUNT];
+  for (int i = 0; i < OPTION_COUNT; i++) names[i] = option_table[i].spelling;
+  const char *name = arena_copy(reader->arena, argument, strcspn(argument, "="));
+  const char *nearest = strlen(name) > 3 ? diag_nearest(name, names, OPTION_COUNT) : NULL;
+  if (nearest) return report_error("unknown option `%s`; did you mean `%s`?", name, nearest);
+  Command command = reader->options->command;
+  if (command == COMMAND_RUN || command == COMMAND_INTERP)
+    return report_error("unknown option `%s`; options of the program go behind the grammar: lsysc %s plant.lsys %s",
+                        argument, command_table[command].name, argument);
+  if (command == COMMAND_COMPILE)
+    return report_error("unknown option `%s`; options such as -n are the program's: lsysc run plant.lsys -n 8",
+                        argument);
+  return report_error("unknown option `%s`; see `lsysc help`", argument);
+}
+
+static bool take_argument(Reader *reader, const char *argument) {
+  Options *options = reader->options;
+  bool runs = options->command == COMMAND_RUN || options->command == COMMAND_INTERP;
+  bool behind_file = runs && options->files.count > 0;
+  if (argument[0] == '-' && argument[1]) {
+    for (int id = 0; id < OPTION_COUNT; id++) {
+      const char *value;
+      if (!matches(&option_table[id], argument, &value)) continue;
+      if (behind_file && (id == OPTION_HELP || id == OPTION_VERSION)) continue;
+      if (option_table[id].commands & (1u << options->command)) return take_option(reader, (OptionId)id, value);
+      if (!behind_file)
+        return report_error("`lsysc %s` does not take `%s`; see `lsysc help %s`", command_table[options->command].name,
+                            argument, command_table[options->command].name);
+    }
+    if (!behind_file) return unknown(reader, argument);
+  }
+  if (behind_file)
+    *VEC_PUSH(reader->arena, &options->passed) = argument;
+  else
+    *VEC_PUSH(reader->arena, &options->files) = argument;
+  return true;
+}
+
+static bool take_rest(Reader *reader) {
+  Options *options = reader->options;
+  bool runs = options->command == COMMAND_RUN || options->command == COMMAND_INTERP;
+  for (; *reader->at; reader->at++)
+    if (runs && options->files.count > 0)
+      *VEC_PUSH(reader->arena, &options->passed) = *reader->at;
+    else
+      *VEC_PUSH(reader->arena, &options->files) = *reader->at;
+  return true;
+}
+
+static bool complete(const Options *options) {
+  size_t files = options->files.count;
+  if (options->help || options->version || options->command == COMMAND_HELP) return true;
+  if (files == 0) return report_error("no grammar was given: lsysc %s", command_table[options->command].arguments);
+  if (files > 1 && options->command != COMMAND_CHECK)
+    return report_error("one grammar at a time, not `%s` and `%s`", options->files.at[0], options->files.at[1]);
+  return true;
+}
+
+bool options_parse(Arena *arena, int argc, char **argv, Options *options) {
+  *options = (Options){.program = true, .linker = "cc", .backend = {.emit = EMIT_OBJECT, .optimise = 2}};
+  options->backend.symbol = "lsys_grammar";
+  diag_options_default(&options->diag);
+  Reader reader = {.arena = arena, .options = options, .at = argv + 1};
+  for (int id = 1; id < COMMAND_COUNT && argc > 1; id++)
+    if (strcmp(argv[1], command_table[id].name) == 0) {
+      options->command = (Command)id;
+      reader.at++;
+    }
+  while (*reader.at) {
+    const char *argument = *reader.at++;
+    if (strcmp(argument, "--") == 0) {
+      take_rest(&reader);
+      break;
+    }
+    if (!take_argument(&reader, argument)) return false;
+  }
+  options->parse.include_dirs = reader.include_dirs.at;
+  options->parse.include_count = reader.include_dirs.count;
+  return complete(options);
+}
+
+void options_head(const OptionRow *option, char *head, size_t size) {
+  const char *value = option->value ? option->value : "";
+  const char *between = option->how == OPTION_EQUALS ? "=" : option->how == OPTION_SPACED ? " " : "";
+  snprintf(head, size, "%s%s%s", option->spelling, between, value);
+}
