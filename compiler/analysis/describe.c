@@ -98,6 +98,39 @@ static uint32_t grammar_flags(const Program *program, const Facts *facts) {
   return flags;
 }
 
+static size_t context_modules(const Context *context) {
+  size_t count = 0;
+  for (size_t i = 0; i < context->count; i++) count += context->at[i].what == PATTERN_MODULE;
+  return count;
+}
+
+// What a scan has to provide for the contexts of some productions.
+static void describe_contexts_of(const Productions *productions, LsysGrammar *grammar) {
+  for (size_t i = 0; i < productions->count; i++) {
+    const Production *production = productions->at[i];
+    grammar->left_window = (uint32_t)larger(grammar->left_window, context_modules(&production->left));
+    if (production->right.count) grammar->flags |= LSYS_GRAMMAR_RIGHT;
+    if (production->strict.count > 1) grammar->flags |= LSYS_GRAMMAR_ORDERED;
+  }
+}
+
+static void describe_contexts(Arena *arena, const Program *program, LsysGrammar *grammar) {
+  const LSystem *main = &program->lsystems[0];
+  uint8_t *classes = arena_array(arena, program->kind_count, 1);
+  for (KindId kind = 0; kind < program->kind_count; kind++) {
+    classes[kind] = main->ignored[kind] ? LSYS_CLASS_IGNORED : LSYS_CLASS_SEEN;
+    if (kind == program->open) classes[kind] = LSYS_CLASS_OPEN;
+    if (kind == program->close) classes[kind] = LSYS_CLASS_CLOSE;
+  }
+  grammar->context_class = classes;
+  for (size_t i = 0; i < program->lsystem_count; i++) {
+    describe_contexts_of(&program->lsystems[i].productions, grammar);
+    describe_contexts_of(&program->lsystems[i].homomorphism.productions, grammar);
+  }
+  if (main->ring) grammar->flags |= LSYS_GRAMMAR_RING;
+  if (program->cut != KIND_NONE) grammar->flags |= LSYS_GRAMMAR_ORDERED;
+}
+
 LsysGrammar *describe(Arena *arena, const Program *program, const Facts *facts) {
   LsysGrammar *grammar = ARENA_NEW(arena, LsysGrammar);
   grammar->abi_version = LSYS_ABI_VERSION;
@@ -110,6 +143,7 @@ LsysGrammar *describe(Arena *arena, const Program *program, const Facts *facts) 
   grammar->value_count = (uint32_t)program->total_values;
   grammar->seed = program->seed;
   describe_room(program, facts, grammar);
+  describe_contexts(arena, program, grammar);
   grammar->growth = facts->growth;
   return grammar;
 }

@@ -15,6 +15,7 @@
 
 #include "lsys/functions.h"
 #include "lsys/keys.h"
+#include "lsys/scan.h"
 #include "lsys/settings.h"
 #include "lsys/turtle.h"
 
@@ -105,6 +106,9 @@ enum {
   LSYS_GRAMMAR_HOMOMORPHISM = 16,  // `homomorphism` is there
   LSYS_GRAMMAR_WIDE = 32,          // symbols take two bytes
   LSYS_GRAMMAR_WHOLE = 64,         // the homomorphism has contexts: it takes a whole word, not a part
+  LSYS_GRAMMAR_RIGHT = 128,        // something looks ahead: a step needs the index of branches
+  LSYS_GRAMMAR_RING = 256,         // first and last module are neighbours
+  LSYS_GRAMMAR_ORDERED = 512,      // pseudo-productions or a cut: a step goes through the word from its beginning
 };
 
 struct LsysGrammar {
@@ -136,6 +140,12 @@ struct LsysGrammar {
   // Derives every module of `in` by `steps` steps, the last ones of the derivation, and writes the
   // result in order to out. NULL for grammars that are not context-free.
   void (*expand)(LsysStream *out, const LsysWord *in, uint64_t steps);
+
+  // The step engine: rewrites the modules from scan->sym to scan->end (see scan.h) and writes what they become to
+  // out, with keys. Every grammar of compiled code has it but those without productions.
+  void (*step)(LsysScan *scan, LsysStream *out);
+  const uint8_t *context_class;  // LSYS_CLASS_* of each kind
+  uint32_t left_window;          // the most modules that a left context asks for
 
   // The interpreter: derives axiom `which` by `steps` steps and writes the result to out. NULL in compiled grammars.
   void (*derive)(LsysRun *run, uint32_t which, uint64_t steps, LsysStream *out, void *data);

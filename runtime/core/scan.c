@@ -1,0 +1,294 @@
+// scan.c -- looking left and right along the axes of a bracketed word
+// (ABOP p. 30-32). Left contexts come from a window kept along the scan, right
+// ones from a cursor that jumps over whole branches.
+#include "core/scan.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+// What `[` saves until its `]`; the window of the level stands in scan->saved.
+struct LsysLevel {
+  LsysCursor ahead;
+  uint32_t ahead_kind, ahead_known, fresh;
+};
+
+static inline uint32_t symbol(const uint8_t *at, bool wide) {
+  uint16_t pair;
+  if (!wide) return *at;
+  memcpy(&pair, at, sizeof pair);
+  return pair;
+}
+
+// ---- ahead -------------------------------------------------------------------
+
+// The cursor stands at the end of its segment: on to the next one that has modules. In a ring the first
+// follows the last, up to the strict predecessor. False at the end of the word.
+static bool next_segment(const LsysScan *scan, LsysCursor *cursor) {
+  while (cursor->sym == cursor->end) {
+    bool wrapped = scan->ring && cursor->end == scan->sym;
+    if (wrapped) return false;
+    uint32_t next = cursor->segment + 1;
+    if (next == scan->segment_count) {
+      if (!scan->ring) return false;
+      next = 0;
+    }
+    const LsysSegment *segment = &scan->segments[next];
+    *cursor = (LsysCursor){segment->sym, segment->end, segment->arg, cursor->found, next, 0};
+    if (scan->ring && next <= scan->segment && segment->sym <= scan->sym && scan->sym < segment->end)
+      cursor->end = scan->sym;
+  }
+  return true;
+}
+
+static inline void jump(const LsysScan *scan, LsysCursor *cursor) {
+  const LsysSkip *skip = &scan->segments[cursor->segment].skip[cursor->open];
+  if (skip->segment != cursor->segment) cursor->end = scan->segments[skip->segment].end;
+  cursor->sym = skip->sym;
+  cursor->arg = skip->arg;
+  cursor->segment = skip->segment;
+  cursor->open = skip->open;
+}
+
+static inline void pass(const LsysScan *scan, LsysCursor *cursor, uint32_t kind) {
+  cursor->sym += 1 + scan->wide;
+  cursor->arg += scan->arity[kind];
+}
+
+// Passes ignored modules, and branches too if `over`; the class of what stands there then.
+// LSYS_CLASS_CLOSE also at the end of the word.
+static inline uint32_t approach(const LsysScan *scan, LsysCursor *cursor, bool over, uint32_t *kind) {
+  for (;;) {
+    if (cursor->sym == cursor->end && !next_segment(scan, cursor)) return LSYS_CLASS_CLOSE;
+    *kind = symbol(cursor->sym, scan->wide);
+    uint32_t class = scan->context_class[*kind];
+    if (class == LSYS_CLASS_IGNORED)
+      pass(scan, cursor, *kind);
+    else if (class == LSYS_CLASS_OPEN && over)
+      jump(scan, cursor);
+    else
+      return class;
+  }
+}
+
+uint32_t lsys_ahead(const LsysScan *scan, LsysCursor *cursor) {
+  uint32_t kind;
+  if (approach(scan, cursor, true, &kind) != LSYS_CLASS_SEEN) return LSYS_NO_MODULE;
+  cursor->found = cursor->arg;
+  pass(scan, cursor, kind);
+  return kind;
+}
+
+bool lsys_branch(const LsysScan *scan, LsysCursor *cursor, LsysCursor *inside) {
+  uint32_t kind;
+  if (approach(scan, cursor, false, &kind) != LSYS_CLASS_OPEN) return false;
+  *inside = *cursor;
+  pass(scan, inside, kind);
+  inside->open++;
+  jump(scan, cursor);
+  return true;
+}
+
+void lsys_behind(const LsysScan *scan, LsysCursor *cursor, uint32_t modules, uint32_t args) {
+  *cursor = (LsysCursor){scan->sym, scan->end, scan->arg + args, NULL, scan->segment, scan->open};
+  const LsysSegment *segment = &scan->segments[scan->segment];
+  cursor->end = segment->end;
+  for (; modules; modules--, cursor->sym += 1 + scan->wide)
+    cursor->open += scan->context_class[symbol(cursor->sym, scan->wide)] == LSYS_CLASS_OPEN;
+}
+
+uint32_t lsys_right(LsysScan *scan, LsysCursor *cursor, uint32_t args) {
+  if (!scan->ahead_known) {
+    lsys_behind(scan, &scan->ahead, 1, args);
+    scan->ahead_kind = lsys_ahead(scan, &scan->ahead);
+    scan->ahead_known = 1;
+  }
+  *cursor = scan->ahead;
+  return scan->ahead_kind;
+}
+
+// ---- brackets ------------------------------------------------------------------
+
+static size_t level_bytes(const LsysScan *scan, size_t room) {
+  return room * (sizeof *scan->levels + scan->window * sizeof *scan->saved);
+}
+
+static void grow_levels(LsysScan *scan) {
+  size_t room = scan->level_room ? 2 * scan->level_room : 64;
+  lsys_charge(scan->run, (int64_t)(level_bytes(scan, room) - level_bytes(scan, scan->level_room)));
+  struct LsysLevel *levels = realloc(scan->levels, room * sizeof *levels);
+  if (levels) scan->levels = levels;
+  LsysNeighbour *saved = levels ? realloc(scan->saved, room * (scan->window + 1) * sizeof *saved) : NULL;
+  if (!saved) lsys_fail(scan->run, "out of memory for %zu open brackets", room);
+  scan->saved = saved;
+  scan->level_room = room;
+}
+
+void lsys_scan_open(LsysScan *scan) {
+  if (scan->depth == scan->level_room) grow_levels(scan);
+  scan->levels[scan->depth] = (struct LsysLevel){scan->ahead, scan->ahead_kind, scan->ahead_known, scan->fresh};
+  for (uint32_t i = 0; i < scan->window; i++) scan->saved[scan->depth * scan->window + i] = scan->left[i];
+  scan->depth++;
+  scan->open++;
+  scan->fresh = 1;
+  scan->ahead_known = 0;
+}
+
+static void forget_left(LsysScan *scan) {
+  for (uint32_t i = 0; i < scan->window; i++) scan->left[i].kind = LSYS_NO_MODULE;
+}
+
+void lsys_scan_close(LsysScan *scan) {
+  if (!scan->depth) {
+    forget_left(scan);
+    scan->fresh = 0;
+    scan->ahead_known = 0;
+    return;
+  }
+  scan->depth--;
+  const struct LsysLevel *level = &scan->levels[scan->depth];
+  for (uint32_t i = 0; i < scan->window; i++) scan->left[i] = scan->saved[scan->depth * scan->window + i];
+  scan->ahead = level->ahead;
+  scan->ahead_kind = level->ahead_kind;
+  scan->ahead_known = level->ahead_known;
+  scan->fresh = level->fresh;
+}
+
+void lsys_cut(LsysScan *scan) {
+  const LsysKind *kinds = scan->run->grammar->kinds;
+  size_t depth = 0;
+  for (; scan->sym < scan->end; scan->sym += 1 + scan->wide) {
+    uint32_t kind = symbol(scan->sym, scan->wide), class = scan->context_class[kind];
+    if (class == LSYS_CLASS_CLOSE && depth-- == 0) return;
+    if (class == LSYS_CLASS_OPEN) {
+      depth++;
+      scan->open++;
+    }
+    scan->arg += scan->arity[kind];
+    scan->key += (kinds[kind].flags & LSYS_KIND_KEY) != 0;
+  }
+}
+
+// ---- preparing -------------------------------------------------------------------
+
+bool scan_tables(ScanTables *tables, const LsysGrammar *grammar) {
+  *tables = (ScanTables){.grammar = grammar, .open = LSYS_NO_MODULE, .close = LSYS_NO_MODULE};
+  tables->wide = (grammar->flags & LSYS_GRAMMAR_WIDE) != 0;
+  tables->arity = calloc(grammar->kind_count + 1, sizeof *tables->arity);
+  if (!tables->arity) return false;
+  for (uint32_t kind = 0; kind < grammar->kind_count; kind++) {
+    tables->arity[kind] = grammar->kinds[kind].arity;
+    if (grammar->context_class[kind] == LSYS_CLASS_OPEN) tables->open = kind;
+    if (grammar->context_class[kind] == LSYS_CLASS_CLOSE) tables->close = kind;
+  }
+  return true;
+}
+
+void scan_tables_free(ScanTables *tables) {
+  free(tables->arity);
+}
+
+// A `[` whose `]` was not met yet.
+struct ScanOpen {
+  LsysSkip *skip;
+};
+
+// An array of at least count elements, grown to twice of that; what it held is kept.
+static void *array_for(LsysRun *run, void *at, size_t *room, size_t count, size_t size) {
+  if (count <= *room) return at;
+  size_t wanted = 2 * count;
+  lsys_charge(run, (int64_t)((wanted - *room) * size));
+  void *grown = realloc(at, wanted * size);
+  if (!grown) lsys_fail(run, "out of memory for the index of %zu branches", count);
+  *room = wanted;
+  return grown;
+}
+
+static size_t count_symbol(const LsysSegment *segment, uint32_t kind, bool wide) {
+  size_t count = 0;
+  if (wide)
+    for (const uint8_t *at = segment->sym; at < segment->end; at += 2) count += symbol(at, true) == kind;
+  else
+    for (const uint8_t *at = segment->sym; at < segment->end; at++) count += *at == (uint8_t)kind;
+  return count;
+}
+
+// Points the skips of one segment's brackets at what follows their branches.
+static void index_segment(ScanIndex *index, const ScanTables *tables, LsysRun *run, const LsysSegment *segment,
+                          uint32_t number, size_t *depth) {
+  const double *arg = segment->arg;
+  uint32_t open = 0, width = 1u + tables->wide;
+  for (const uint8_t *at = segment->sym; at < segment->end; at += width) {
+    uint32_t kind = symbol(at, tables->wide);
+    arg += tables->arity[kind];
+    if (kind == tables->open) {
+      index->stack = array_for(run, index->stack, &index->stack_room, *depth + 1, sizeof *index->stack);
+      index->stack[(*depth)++].skip = &segment->skip[open++];
+    } else if (kind == tables->close && *depth) {
+      *index->stack[--*depth].skip = (LsysSkip){at + width, arg, number, open};
+    }
+  }
+}
+
+void scan_index(ScanIndex *index, const ScanTables *tables, LsysRun *run, LsysSegment *segments, uint32_t count) {
+  if (tables->open == LSYS_NO_MODULE || !(tables->grammar->flags & LSYS_GRAMMAR_RIGHT)) return;
+  size_t total = 0, used = 0, depth = 0;
+  for (uint32_t i = 0; i < count; i++)
+    total += segments[i].skip_count = count_symbol(&segments[i], tables->open, tables->wide);
+  index->skips = array_for(run, index->skips, &index->room, total, sizeof *index->skips);
+  for (uint32_t i = 0; i < count; i++) {
+    segments[i].skip = index->skips + used;
+    used += segments[i].skip_count;
+    index_segment(index, tables, run, &segments[i], i, &depth);
+  }
+  const LsysSegment *last = &segments[count - 1];  // an unclosed branch goes on to the end of the word
+  while (depth) *index->stack[--depth].skip = (LsysSkip){last->end, NULL, count - 1, (uint32_t)last->skip_count};
+}
+
+void scan_index_free(ScanIndex *index) {
+  free(index->skips);
+  free(index->stack);
+}
+
+// In a ring the window begins with the last seen modules of the word.
+static void wrap_window(LsysScan *scan) {
+  LsysCursor cursor = {scan->segments[0].sym, scan->segments[0].end, scan->segments[0].arg, NULL, 0, 0};
+  uint32_t ring = scan->ring, kind;
+  scan->ring = 0;
+  while ((kind = lsys_ahead(scan, &cursor)) != LSYS_NO_MODULE) {
+    for (uint32_t i = scan->window; i-- > 1;) scan->left[i] = scan->left[i - 1];
+    if (scan->window) scan->left[0] = (LsysNeighbour){kind, cursor.found};
+    scan->reach += scan->reach <= scan->window;
+  }
+  scan->ring = ring;
+}
+
+void scan_start(LsysScan *scan, const ScanTables *tables, LsysRun *run, const LsysSegment *segments, uint32_t count,
+                LsysNeighbour *left) {
+  struct LsysLevel *levels = scan->levels;
+  LsysNeighbour *saved = scan->saved;
+  size_t room = scan->level_room;
+  const LsysGrammar *grammar = tables->grammar;
+  *scan = (LsysScan){.sym = segments[0].sym,
+                     .end = segments[0].end,
+                     .arg = segments[0].arg,
+                     .key = segments[0].key,
+                     .left = left,
+                     .window = grammar->left_window,
+                     .run = run,
+                     .segments = segments,
+                     .segment_count = count,
+                     .context_class = grammar->context_class,
+                     .arity = tables->arity,
+                     .wide = tables->wide,
+                     .ring = (grammar->flags & LSYS_GRAMMAR_RING) != 0,
+                     .levels = levels,
+                     .level_room = room,
+                     .saved = saved};
+  forget_left(scan);
+  if (scan->ring) wrap_window(scan);
+}
+
+void scan_free(LsysScan *scan) {
+  free(scan->levels);
+  free(scan->saved);
+}

@@ -1,0 +1,38 @@
+// scan.h -- preparing a step's scan over a word: segments, the index of
+// branches, and the state at the word's beginning.
+#ifndef LSYS_CORE_SCAN_H
+#define LSYS_CORE_SCAN_H
+
+#include "lsys/abi.h"
+#include "lsys/scan.h"
+
+// What matching needs to know of a grammar's kinds, once per run.
+typedef struct ScanTables {
+  const LsysGrammar *grammar;
+  uint16_t *arity;  // by kind
+  uint8_t wide;     // 1: symbols take two bytes
+  uint32_t open;    // kind of `[`, LSYS_NO_MODULE if there is none
+  uint32_t close;
+} ScanTables;
+
+// False when memory ran out.
+bool scan_tables(ScanTables *tables, const LsysGrammar *grammar);
+void scan_tables_free(ScanTables *tables);
+
+// Fills the skips of all segments: each `[` learns where its branch continues. The arrays are grown as
+// needed and reused from step to step; the run ends when memory does.
+typedef struct ScanIndex {
+  LsysSkip *skips;
+  size_t room;
+  struct ScanOpen *stack;
+  size_t stack_room;
+} ScanIndex;
+void scan_index(ScanIndex *index, const ScanTables *tables, LsysRun *run, LsysSegment *segments, uint32_t count);
+void scan_index_free(ScanIndex *index);
+
+// A scan at the beginning of the word. left has room for the grammar's window.
+void scan_start(LsysScan *scan, const ScanTables *tables, LsysRun *run, const LsysSegment *segments, uint32_t count,
+                LsysNeighbour *left);
+void scan_free(LsysScan *scan);
+
+#endif

@@ -1,0 +1,112 @@
+// scan.h -- how compiled productions see the neighbours of a module: the step
+// engine's contract with the run time (LANGUAGE.md 5.4, ABOP p. 30-32).
+//
+// One step reads a word that does not change and writes the next one. The word
+// is a row of segments, each contiguous in memory; a scan walks over a part of
+// it. What it keeps costs the same for every module, whatever the length of the
+// word or of its branches:
+//
+//   left   the last `window` seen modules on the path to the root, nearest first;
+//          saved at `[`, restored behind the matching `]`
+//   right  the first seen module ahead on the same axis, found once and kept
+//          until it is passed; whole branches are jumped over by an index
+#ifndef LSYS_SCAN_H
+#define LSYS_SCAN_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct LsysRun;
+
+#define LSYS_NO_MODULE UINT32_MAX  // there is no such neighbour
+
+// What a kind is to context matching: LsysGrammar.context_class.
+enum { LSYS_CLASS_SEEN, LSYS_CLASS_IGNORED, LSYS_CLASS_OPEN, LSYS_CLASS_CLOSE };
+
+typedef struct LsysNeighbour {
+  uint32_t kind;  // LSYS_NO_MODULE: the path ends before it
+  const double *arg;
+} LsysNeighbour;
+
+// Where a branch continues behind its `]`: one for each `[` of a segment, in order.
+typedef struct LsysSkip {
+  const uint8_t *sym;
+  const double *arg;
+  uint32_t segment, open;  // open: ordinal of the next `[` from there on
+} LsysSkip;
+
+typedef struct LsysSegment {
+  const uint8_t *sym, *end;
+  const double *arg;
+  const uint64_t *key;
+  LsysSkip *skip;  // NULL where the grammar has no right contexts or no brackets
+  uint64_t skip_count;
+} LsysSegment;
+
+// A place between two modules, looking ahead.
+typedef struct LsysCursor {
+  const uint8_t *sym, *end;  // end: of its segment
+  const double *arg;
+  const double *found;  // arguments of the module that lsys_ahead found
+  uint32_t segment, open;
+} LsysCursor;
+
+typedef struct LsysScan LsysScan;
+
+struct LsysScan {
+  // The place of the module that is rewritten next; `step` keeps them.
+  const uint8_t *sym, *end;
+  const double *arg;
+  const uint64_t *key;
+  LsysNeighbour *left;  // window of them, left[0] the nearest
+  uint32_t window;
+  uint32_t fresh;  // 1: no seen module yet since the `[` that began this branch
+  uint32_t segment, open;
+  struct LsysRun *run;
+  uint64_t step;  // index of this step, from 0
+  const LsysSegment *segments;
+  uint32_t segment_count;
+  const uint8_t *context_class;  // by kind
+  const uint16_t *arity;         // by kind
+  uint32_t wide;                 // 1: symbols take two bytes
+  uint32_t ring;                 // 1: the word is a ring; a neighbour is looked for up to the module itself
+  uint32_t reach;                // ring: seen modules on the axis, at most window + 1; left[j] counts for
+                                 //   j + 1 < reach if the strict predecessor is seen itself, else for j < reach
+  // The first seen module ahead, by lsys_right.
+  LsysCursor ahead;
+  uint32_t ahead_kind, ahead_known;
+  struct LsysLevel *levels;  // what `[` saved, one per open bracket
+  size_t depth, level_room;
+  LsysNeighbour *saved;  // window of them per level
+};
+
+// At the beginning of a seen module's rewriting, compiled code sets ahead_known = 0; behind it, it moves the
+// window on and sets fresh = 0.
+//
+// Call for `[` and `]` after writing what they become, with scan->sym at the bracket; they save and restore
+// the context, and do not move scan->sym. A `]` without `[` ends the axis: nothing is to its left.
+void lsys_scan_open(LsysScan *scan);
+void lsys_scan_close(LsysScan *scan);
+
+// A cursor directly behind the module at scan->sym that has `modules` modules (1, or more in a pseudo-production)
+// and `args` arguments.
+void lsys_behind(const LsysScan *scan, LsysCursor *cursor, uint32_t modules, uint32_t args);
+
+// The kind of the next seen module on the axis, whose arguments are cursor->found; the cursor moves behind it.
+// LSYS_NO_MODULE at the end of the branch, of the axis or of the word; the cursor then stands there.
+uint32_t lsys_ahead(const LsysScan *scan, LsysCursor *cursor);
+
+// lsys_behind and lsys_ahead in one for a single strict predecessor, at a cost that does not depend on what lies
+// between.
+uint32_t lsys_right(LsysScan *scan, LsysCursor *cursor, uint32_t args);
+
+// Is there a branch at this place, before the next seen module? If so, `inside` stands behind its `[` and
+// cursor behind its `]`.
+bool lsys_branch(const LsysScan *scan, LsysCursor *cursor, LsysCursor *inside);
+
+// Moves scan->sym, arg, key to the `]` that ends the branch (or the end of the word): the cut `%`. The
+// scan must cover the whole word.
+void lsys_cut(LsysScan *scan);
+
+#endif
