@@ -31,6 +31,8 @@ typedef enum AstExprKind {
 typedef struct AstExpr AstExpr;
 typedef VEC(AstExpr *) AstExprs;
 
+enum { AST_DEEPEST = 1000 };  // parsers refuse expressions that nest deeper, so that passes may recurse
+
 struct AstExpr {
   AstExprKind kind;
   Operator op;
@@ -40,6 +42,7 @@ struct AstExpr {
   double number;
   AstExpr *a, *b, *c;
   AstExprs args;
+  uint32_t depth;  // 1 + that of the deepest operand; at most AST_DEEPEST
   bool parenthesized;
 };
 
@@ -101,23 +104,24 @@ typedef struct AstSymbol {
 typedef VEC(AstSymbol) AstSymbols;
 
 typedef enum AstStatementKind {
-  AST_AXIOM,       // words
-  AST_PRODUCTION,  // production
-  AST_DEFINE,      // #define: name, symbols = formal parameters (has_params), value
-  AST_UNDEF,       // name
-  AST_PARAM,       // param: name, value, low, high (NULL when absent)
-  AST_MODULES,     // #modules, module NAME(args): name + symbols = argument names (has_params), or symbols = names
-  AST_SETTING,   // steps, seed, angle, step, width, colour, turns, ...: setting (index in settings.def), value or name
-  AST_IGNORE,    // symbols
-  AST_CONSIDER,  // symbols
-  AST_BLOCK,     // Start, StartEach, EndEach, End: name, actions
-  AST_ARRAYS,    // define: { array NAME[n] ... = { ... } }: arrays
+  AST_AXIOM,          // words
+  AST_PRODUCTION,     // production
+  AST_DEFINE,         // #define: name, symbols = formal parameters (has_params), value
+  AST_UNDEF,          // name
+  AST_PARAM,          // param: name, value, low, high (NULL when absent)
+  AST_MODULES,        // #modules, module NAME(args): name + symbols = argument names (has_params), or symbols = names
+  AST_SETTING,        // steps, angle, step, width, colour, turns, ...: setting (index in settings.def), value;
+                      // and name where the value is a lone name, as in `turns: clockwise`
+  AST_IGNORE,         // symbols
+  AST_CONSIDER,       // symbols
+  AST_BLOCK,          // Start, StartEach, EndEach, End: name as spelled here, actions
+  AST_ARRAYS,         // define: { array NAME[n] ... = { ... } }: arrays
   AST_DECOMPOSITION,  // section header; value = maximum depth when in the header
   AST_HOMOMORPHISM,   // section header
   AST_PRODUCTIONS,    // section header: back to the derivation's productions
   AST_WARNINGS,       // ": warnings" of the section
   AST_MAXIMUM_DEPTH,  // value
-  AST_SECTION_SEED,   // value; seed: inside a section
+  AST_SECTION_SEED,   // value; seed: of the section that it stands in, else of the run
   AST_TABLE,          // table NAME:
   AST_TABLES,         // tables: NAME NAME ...: symbols
   AST_RING,           // ring lsystem
