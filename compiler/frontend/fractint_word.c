@@ -31,13 +31,18 @@ const char *fractint_symbol(FractintWords *words, unsigned char character) {
 
 AstExpr *fractint_number(FractintWords *words, Span span, double value) {
   AstExpr *expr = ARENA_NEW(words->arena, AstExpr);
-  *expr = (AstExpr){.kind = AST_NUMBER, .span = span, .number = value};
+  *expr = (AstExpr){.kind = AST_NUMBER, .span = span, .number = value, .depth = 1};
   return expr;
 }
 
 AstExpr *fractint_binary(FractintWords *words, Span span, Operator op, AstExpr *a, AstExpr *b) {
   AstExpr *expr = ARENA_NEW(words->arena, AstExpr);
-  *expr = (AstExpr){.kind = AST_BINARY, .op = op, .span = span, .a = a, .b = b};
+  *expr = (AstExpr){.kind = AST_BINARY,
+                    .op = op,
+                    .span = span,
+                    .a = a,
+                    .b = b,
+                    .depth = 1 + (a->depth > b->depth ? a->depth : b->depth)};
   return expr;
 }
 
@@ -118,7 +123,7 @@ static AstExpr *number_expr(FractintWords *words, const Number *n) {
   if (!(n->value > 0)) return expr;
   if (n->root) {
     AstExpr *call = ARENA_NEW(words->arena, AstExpr);
-    *call = (AstExpr){.kind = AST_CALL, .span = n->span, .name_span = n->span, .name = "sqrt"};
+    *call = (AstExpr){.kind = AST_CALL, .span = n->span, .name_span = n->span, .name = "sqrt", .depth = 2};
     *VEC_PUSH(words->arena, &call->args) = expr;
     expr = call;
   }
@@ -128,7 +133,7 @@ static AstExpr *number_expr(FractintWords *words, const Number *n) {
 
 static AstExpr *negative(FractintWords *words, AstExpr *a) {
   AstExpr *expr = ARENA_NEW(words->arena, AstExpr);
-  *expr = (AstExpr){.kind = AST_UNARY, .op = OP_NEG, .span = a->span, .a = a};
+  *expr = (AstExpr){.kind = AST_UNARY, .op = OP_NEG, .span = a->span, .a = a, .depth = a->depth + 1};
   return expr;
 }
 

@@ -24,7 +24,7 @@ typedef struct Result {
 static Result parse_bytes(const char *text, size_t length, const char *system) {
   Result result = {.arena = arena_create()};
   Sources *sources = sources_create(result.arena);
-  const SourceFile *file = sources_add(sources, "test.l", text, length, (Span){0});
+  const SourceFile *file = sources_add(sources, "test.l", arena_copy(result.arena, text, length), length, (Span){0});
   DiagOptions options;
   diag_options_default(&options);
   options.colour = COLOUR_NEVER;
