@@ -1,8 +1,9 @@
-// geometry.h -- what the turtle draws, one primitive at a time: the interface
-// between the turtle and the picture and mesh formats.
+// geometry.h -- what the turtle draws: the interface between the turtle and
+// the picture and mesh formats.
 //
 // Coordinates are the turtle's (H starts at +y, x to the right, z towards the
-// reader), widths in the turtle's units of `!`, colours are palette indices.
+// reader), widths in the turtle's units of `!`, colours are palette indices 0..255.
+// Primitives come in the order in which the turtle drew them.
 #ifndef LSYS_TURTLE_GEOMETRY_H
 #define LSYS_TURTLE_GEOMETRY_H
 
@@ -15,16 +16,33 @@ typedef struct LsysVec3 {
 } LsysVec3;
 
 typedef struct LsysPen {
-  double width;
-  int32_t colour;
+  double width;  // finite, >= 0; 0 is the thinnest line that a format can show
+  uint8_t colour;
+  uint32_t depth;  // open brackets
 } LsysPen;
+
+// Connected segments drawn with one pen: points first .. first+count-1 of the
+// batch, count >= 2. joined: it begins where the stroke before it ended, without
+// a jump in between (the pen changed, or a batch was full).
+typedef struct LsysStroke {
+  uint32_t first, count;
+  LsysPen pen;
+  bool joined;
+} LsysStroke;
+
+// Segments come in batches, so that a call costs nothing per segment.
+typedef struct LsysStrokes {
+  const LsysVec3 *point;
+  const LsysStroke *stroke;
+  size_t count;  // of strokes
+} LsysStrokes;
 
 typedef struct LsysGeometry LsysGeometry;
 
 // Every function may be NULL: the format does not show that primitive.
 // Each returns false to stop after printing an error.
 struct LsysGeometry {
-  bool (*segment)(LsysGeometry *to, const LsysVec3 *from, const LsysVec3 *to_point, const LsysPen *pen);
+  bool (*strokes)(LsysGeometry *to, const LsysStrokes *batch);
   bool (*polygon)(LsysGeometry *to, const LsysVec3 *vertices, size_t count, const LsysPen *pen);
 };
 

@@ -1,0 +1,119 @@
+// state.h -- the turtle's insides, shared by turtle.c (words in), plain.c (the
+// fast loop), act.c (one module) and strokes.c (batches out).
+#ifndef LSYS_TURTLE_STATE_H
+#define LSYS_TURTLE_STATE_H
+
+#include "turtle/directions.h"
+#include "turtle/turtle.h"
+#include "turtle/vector.h"
+
+enum {
+  BATCH_POINTS = 2048,    // points of one batch; 48 KiB, it stays in the second-level cache
+  STRAIGHTEN_TURNS = 64,  // rotations of a frame after which it is made orthonormal again
+};
+
+// What `[` saves. The first part suffices for a flat turtle whose turns are all in
+// the table of directions and whose lengths are all the default one.
+typedef struct State {
+  Pair at;           // place in the page, in the coordinates of Turtle.lattice
+  double width;      // >= 0
+  uint32_t heading;  // index into Turtle.directions
+  uint8_t colour;
+  bool swapped;     // @x: + turns right
+  uint16_t turned;  // rotations since the frame was straightened
+  double z;         // ---- from here on saved only by turtles that need it
+  double extra;     // degrees that the turtle is turned beyond directions[heading]
+  Pair direction;   // its heading, where extra is not 0
+  double second;    // degrees of the second direction (@a), from +x
+  double scale;     // of default lengths (@s)
+  Frame frame;      // of a turtle that leaves the page
+} State;
+
+enum { STATE_SMALL = offsetof(State, z) };
+
+// What the fast loop does for a kind of modules.
+typedef enum PlainAct { PLAIN_GO, PLAIN_PUSH, PLAIN_POP, PLAIN_JUMP, PLAIN_OTHER } PlainAct;
+
+typedef struct PlainKind {
+  double move;    // in lattice units
+  uint32_t turn;  // indices of the table of directions
+  uint8_t draws;  // 1 if the move is drawn
+  uint8_t act;    // PlainAct
+} PlainKind;
+
+typedef struct KindInfo {
+  uint8_t op;      // LsysTurtleOp
+  uint8_t arity;   // saturates at 255
+  uint16_t width;  // arity, exact
+} KindInfo;
+
+struct LsysTurtle {
+  const LsysRun *run;
+  LsysGeometry *to;
+  State state;
+
+  bool flat;          // z stays 0
+  bool plain;         // the fast loop can be used
+  bool skip_next;     // the module behind `~`
+  size_t state_size;  // bytes of State that brackets save
+
+  double angle, step;         // defaults; step in lattice units
+  double turn_cos, turn_sin;  // of the default angle
+  bool clockwise;             // turns:
+  State start;
+  Directions directions;
+  KindInfo *kind;
+  PlainKind *plain_kind;
+
+  // Saved states, state_size bytes each.
+  unsigned char *stack;
+  size_t depth, stack_room;
+
+  // The open batch. Points open .. points-1 are the stroke that is being drawn; there is at
+  // least one, where it began. Points are in lattice coordinates until the batch is handed on.
+  LsysVec3 *point;
+  LsysStroke *stroke;
+  uint32_t points, open, strokes;
+  bool joined;  // the open stroke goes on from the one before it
+
+  // Vertices of open polygons, one polygon behind the other; polygon[i] is where number i begins.
+  LsysVec3 *vertex;
+  size_t *polygon;
+  size_t vertices, vertex_room, polygons, polygon_room;
+
+  uint32_t axiom;
+  uint64_t read;           // modules before the current one
+  uint64_t polygon_place;  // of the last `{`
+  uint32_t warned;         // bit i: warning i was printed
+};
+
+// strokes.c. Each returns false to stop.
+bool turtle_flush(LsysTurtle *t);       // hands on the batch; the open stroke goes on
+void turtle_jump(LsysTurtle *t);        // the turtle stands somewhere else: a new stroke begins
+void turtle_change_pen(LsysTurtle *t);  // before width or colour change
+void turtle_draw_to(LsysTurtle *t);     // the turtle went to state.at with the pen down
+LsysVec3 turtle_out(const LsysTurtle *t, LsysVec3 p);
+
+// act.c: what one module does. False to stop.
+bool turtle_act(LsysTurtle *t, const KindInfo *kind, const double *arg);
+bool turtle_push(LsysTurtle *t);
+bool turtle_pop(LsysTurtle *t);
+
+// plain.c: reads modules while they are plain; returns how many. Sets *ok to false to stop.
+size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, size_t count, bool *ok);
+
+// turtle.c
+typedef enum TurtleWarning {
+  WARN_POP,
+  WARN_CLOSE,
+  WARN_NOT_FINITE,
+  WARN_OPEN_POLYGON,
+} TurtleWarning;
+
+// Prints a warning about the current module, once for each kind of warning.
+void turtle_warn(LsysTurtle *t, TurtleWarning which, uint64_t place, const char *text);
+
+// Grows *array to hold at least count elements. False after printing that memory ran out.
+bool turtle_grow(void *array, size_t *room, size_t count, size_t size);
+
+#endif

@@ -1,0 +1,258 @@
+// turtle.c -- packed words in, geometry out: sets the turtle up from a grammar's
+// kinds and the run's settings, and reads words part by part.
+// Invariant: between two parts everything that the turtle knows is in LsysTurtle.
+#include "turtle/turtle.h"
+
+#include "turtle/state.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---- messages and memory -------------------------------------------------
+
+void turtle_warn(LsysTurtle *t, TurtleWarning which, uint64_t place, const char *text) {
+  if (t->warned & 1u << which) return;
+  t->warned |= 1u << which;
+  const char *name = t->run->grammar->name;
+  fprintf(stderr, "%s: warning: axiom %" PRIu32 ", module %" PRIu64 ": %s (said once)\n", name ? name : "turtle",
+          t->axiom + 1, place + 1, text);
+}
+
+static bool out_of_memory(void) {
+  fputs("error: out of memory for the turtle\n", stderr);
+  return false;
+}
+
+bool turtle_grow(void *array, size_t *room, size_t count, size_t size) {
+  if (count <= *room) return true;
+  size_t wanted = *room < 64 ? 64 : *room * 2, bytes;
+  void *old, *grown = NULL;
+  memcpy(&old, array, sizeof old);
+  if (!__builtin_mul_overflow(wanted, size, &bytes)) grown = realloc(old, bytes);
+  if (!grown) return out_of_memory();
+  memcpy(array, &grown, sizeof grown);
+  *room = wanted;
+  return true;
+}
+
+// ---- set-up --------------------------------------------------------------
+
+// What a grammar's symbols can make a turtle do.
+typedef struct Abilities {
+  bool leaves_page;  // rotates about other axes than U
+  bool any_length;   // moves whose length is not the default one
+  bool any_angle;    // turns by an argument
+  bool more_state;   // changes of State beyond its small part
+} Abilities;
+
+static Abilities abilities(const LsysGrammar *g) {
+  Abilities can = {0};
+  for (uint32_t i = 0; i < g->kind_count; i++) {
+    bool given = g->kinds[i].arity > 0;
+    switch ((LsysTurtleOp)g->kinds[i].turtle) {
+    case LSYS_TURTLE_DRAW:
+    case LSYS_TURTLE_DRAW_NO_VERTEX:
+    case LSYS_TURTLE_MOVE:
+    case LSYS_TURTLE_MOVE_NO_VERTEX:
+      can.any_length |= given;
+      break;
+    case LSYS_TURTLE_LEFT:
+    case LSYS_TURTLE_RIGHT:
+    case LSYS_TURTLE_AROUND:
+      can.any_angle |= given;
+      break;
+    case LSYS_TURTLE_DOWN:
+    case LSYS_TURTLE_UP:
+    case LSYS_TURTLE_ROLL_LEFT:
+    case LSYS_TURTLE_ROLL_RIGHT:
+      can.leaves_page = true;
+      break;
+    case LSYS_TURTLE_STEP_SCALE:
+    case LSYS_TURTLE_SECOND_DRAW:
+    case LSYS_TURTLE_SECOND_MOVE:
+      can.any_length = can.more_state = true;
+      break;
+    case LSYS_TURTLE_SECOND_TURN:
+      can.more_state = true;
+      break;
+    default:
+      break;
+    }
+  }
+  return can;
+}
+
+// A setting's value; its default where it is nan or infinite.
+static double setting(const LsysRun *run, LsysSetting which) {
+  double value = run->value[which];
+  if (isfinite(value)) return value;
+  fprintf(stderr, "warning: %s: is %g; %g is taken instead\n", lsys_settings[which].keyword, value,
+          lsys_settings[which].value);
+  return run->value[which] = lsys_settings[which].value;
+}
+
+static void set_kind(LsysTurtle *t, uint32_t i, const LsysKind *kind) {
+  t->kind[i] = (KindInfo){kind->turtle, (uint8_t)(kind->arity > 255 ? 255 : kind->arity), kind->arity};
+  PlainKind *p = &t->plain_kind[i];
+  *p = (PlainKind){.act = PLAIN_OTHER};
+  const uint32_t n = t->directions.count, angle = t->directions.angle, back = (n - angle) % n;
+  if (kind->arity) {
+    if (kind->turtle == LSYS_TURTLE_NONE) p->act = PLAIN_OTHER;  // its arguments must be skipped
+    return;
+  }
+  switch ((LsysTurtleOp)kind->turtle) {
+  case LSYS_TURTLE_NONE:
+    p->act = PLAIN_GO;
+    break;
+  case LSYS_TURTLE_DRAW:
+  case LSYS_TURTLE_DRAW_NO_VERTEX:
+    *p = (PlainKind){t->step, 0, 1, PLAIN_GO};
+    break;
+  case LSYS_TURTLE_MOVE:
+  case LSYS_TURTLE_MOVE_NO_VERTEX:
+    *p = (PlainKind){t->step, 0, 0, PLAIN_JUMP};
+    break;
+  case LSYS_TURTLE_LEFT:
+    *p = (PlainKind){0, t->clockwise ? back : angle, 0, PLAIN_GO};
+    break;
+  case LSYS_TURTLE_RIGHT:
+    *p = (PlainKind){0, t->clockwise ? angle : back, 0, PLAIN_GO};
+    break;
+  case LSYS_TURTLE_AROUND:
+    *p = (PlainKind){0, n / 2, 0, PLAIN_GO};
+    break;
+  case LSYS_TURTLE_PUSH:
+    p->act = PLAIN_PUSH;
+    break;
+  case LSYS_TURTLE_POP:
+    p->act = PLAIN_POP;
+    break;
+  default:
+    break;
+  }
+}
+
+static Frame first_frame(const Directions *d) {
+  LsysVec3 h = {d->first_cos, d->first_sin, 0}, u = {0, 0, 1};
+  return (Frame){h, vec_cross(u, h), u};
+}
+
+static bool set_up(LsysTurtle *t) {
+  const LsysGrammar *g = t->run->grammar;
+  Abilities can = abilities(g);
+  double heading = setting(t->run, LSYS_SETTING_HEADING);
+  t->flat = !can.leaves_page;
+  t->angle = setting(t->run, LSYS_SETTING_ANGLE);
+  t->turn_cos = lsys_cos(t->angle);
+  t->turn_sin = lsys_sin(t->angle);
+  t->clockwise = setting(t->run, LSYS_SETTING_TURNS) != 0;
+  bool lattice = t->flat && !can.any_length && !can.any_angle;
+  if (!directions_create(&t->directions, t->angle, heading, can.any_angle, lattice)) return out_of_memory();
+  double step = setting(t->run, LSYS_SETTING_STEP), width = setting(t->run, LSYS_SETTING_WIDTH);
+  t->step = t->directions.lattice ? 1 : step;
+  t->plain = t->flat && t->directions.exact && !(g->flags & LSYS_GRAMMAR_WIDE);
+  t->state_size = t->flat && t->directions.exact && !can.any_angle && !can.more_state ? STATE_SMALL : sizeof(State);
+  double colour = fmod(trunc(setting(t->run, LSYS_SETTING_COLOUR)), 256);
+  t->start = (State){.width = width > 0 ? width : 0,
+                     .colour = (uint8_t)(colour < 0 ? colour + 256 : colour),
+                     .second = heading,
+                     .scale = 1,
+                     .frame = first_frame(&t->directions)};
+  t->kind = calloc(g->kind_count + 1, sizeof *t->kind);
+  t->plain_kind = calloc(g->kind_count + 1, sizeof *t->plain_kind);
+  // One point more: the fast loop stores the place behind the last point, too.
+  t->point = calloc(BATCH_POINTS + 1, sizeof *t->point);
+  t->stroke = calloc(BATCH_POINTS / 2 + 1, sizeof *t->stroke);
+  if (!t->kind || !t->plain_kind || !t->point || !t->stroke) return out_of_memory();
+  for (uint32_t i = 0; i < g->kind_count; i++) set_kind(t, i, &g->kinds[i]);
+  return true;
+}
+
+LsysTurtle *lsys_turtle_create(const LsysRun *run, LsysGeometry *to) {
+  LsysTurtle *t = aligned_alloc(_Alignof(LsysTurtle), sizeof *t);
+  if (!t) {
+    out_of_memory();
+    return NULL;
+  }
+  memset(t, 0, sizeof *t);
+  t->run = run;
+  t->to = to;
+  if (!set_up(t)) {
+    lsys_turtle_destroy(t);
+    return NULL;
+  }
+  lsys_turtle_begin(t, 0);
+  return t;
+}
+
+void lsys_turtle_destroy(LsysTurtle *t) {
+  if (!t) return;
+  directions_destroy(&t->directions);
+  free(t->kind);
+  free(t->plain_kind);
+  free(t->stack);
+  free(t->point);
+  free(t->stroke);
+  free(t->vertex);
+  free(t->polygon);
+  free(t);
+}
+
+bool lsys_turtle_flat(const LsysTurtle *t) {
+  return t->flat;
+}
+
+// ---- reading -------------------------------------------------------------
+
+void lsys_turtle_begin(LsysTurtle *t, uint32_t axiom) {
+  t->state = t->start;
+  t->axiom = axiom;
+  t->read = 0;
+  t->depth = 0;
+  t->vertices = t->polygons = 0;
+  t->strokes = t->open = 0;
+  t->points = 1;
+  t->point[0] = (LsysVec3){0};
+  t->joined = false;
+  t->skip_next = false;
+}
+
+static uint32_t symbol(const LsysTurtle *t, const uint8_t *sym, uint64_t i) {
+  if (!(t->run->grammar->flags & LSYS_GRAMMAR_WIDE)) return sym[i];
+  uint16_t wide;
+  memcpy(&wide, sym + 2 * i, sizeof wide);
+  return wide;
+}
+
+bool lsys_turtle_take(LsysTurtle *t, const LsysWord *part) {
+  const double *arg = part->arg;
+  const uint64_t start = t->read;
+  for (uint64_t i = 0; i < part->nsym;) {
+    t->read = start + i;
+    if (t->points + 4 > BATCH_POINTS && !turtle_flush(t)) return false;
+    if (t->plain && t->state.extra == 0 && !t->state.swapped && !t->skip_next && !t->polygons) {
+      bool ok = true;
+      size_t plain = turtle_read_plain(t, part->sym + i, part->nsym - i, &ok);
+      if (!ok) return false;
+      i += plain;
+      if (plain) continue;
+    }
+    const KindInfo *kind = &t->kind[symbol(t, part->sym, i)];
+    if (!turtle_act(t, kind, arg)) return false;
+    arg += kind->width;
+    i++;
+  }
+  t->read = start + part->nsym;
+  return true;
+}
+
+bool lsys_turtle_end(LsysTurtle *t) {
+  if (t->polygons) turtle_warn(t, WARN_OPEN_POLYGON, t->polygon_place, "'{' without '}': the polygon is not drawn");
+  return turtle_flush(t);
+}
+
+LsysVec3 lsys_turtle_position(const LsysTurtle *t) {
+  return turtle_out(t, (LsysVec3){t->state.at[0], t->state.at[1], t->state.z});
+}

@@ -1,0 +1,34 @@
+// turtle.h -- reads a word and draws: packed words in, geometry out.
+//
+// The symbols, their arguments and defaults are those of turtle.def; the
+// settings (angle, step, width, colour, turns, heading) come from run->value.
+#ifndef LSYS_TURTLE_TURTLE_H
+#define LSYS_TURTLE_TURTLE_H
+
+#include "turtle/geometry.h"
+
+typedef struct LsysTurtle LsysTurtle;
+
+// A turtle that draws words of the run's grammar to `to`; both must outlive it.
+// run->value is read here, so it must be initialised. NULL after printing why.
+LsysTurtle *lsys_turtle_create(const LsysRun *run, LsysGeometry *to);
+void lsys_turtle_destroy(LsysTurtle *turtle);
+
+// True if no symbol of the grammar leaves the plane of the page: every z is 0.
+bool lsys_turtle_flat(const LsysTurtle *turtle);
+
+// Starts the word of an axiom: the turtle stands at the origin, its state as the settings say.
+void lsys_turtle_begin(LsysTurtle *turtle, uint32_t axiom);
+
+// Draws the next part of the word. False if the geometry wants to stop or memory ran out (printed).
+// Odd words have a defined result and one warning each: `]` without `[` and `}` without `{` do nothing,
+// a module with an argument that is nan or infinite does nothing, a negative width is 0.
+bool lsys_turtle_take(LsysTurtle *turtle, const LsysWord *part);
+
+// Ends the word: hands on what is left. A polygon that was not closed is not drawn (warning).
+bool lsys_turtle_end(LsysTurtle *turtle);
+
+// Where the turtle stands.
+LsysVec3 lsys_turtle_position(const LsysTurtle *turtle);
+
+#endif

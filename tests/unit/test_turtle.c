@@ -1,0 +1,290 @@
+// test_turtle.c -- the turtle by geometry: end points, boxes and numbers of
+// segments of words that are packed here by hand.
+#include "lsys/abi.h"
+#include "turtle/measure.h"
+#include "turtle/turtle.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+// A grammar without productions, a run and a word of it, made from text: modules with at most
+// two arguments, F(1,2); every pair of symbol and number of arguments is a kind.
+typedef struct Sample {
+  LsysKind kind[64];
+  char name[64][2];
+  LsysGrammar grammar;
+  LsysRun run;
+  double value[LSYS_SETTING_COUNT];
+  uint8_t *sym;
+  double *arg;
+  LsysWord word;
+} Sample;
+
+static uint8_t kind_of(Sample *s, char symbol, uint16_t arity) {
+  uint32_t i = 0;
+  while (i < s->grammar.kind_count && !(s->name[i][0] == symbol && s->kind[i].arity == arity)) i++;
+  if (i == s->grammar.kind_count) {
+    s->grammar.kind_count++;
+    s->name[i][0] = symbol;
+    s->kind[i] = (LsysKind){.symbol = s->name[i], .arity = arity, .turtle = (uint8_t)lsys_turtle_op(s->name[i])};
+  }
+  return (uint8_t)i;
+}
+
+static void sample_word(Sample *s, const char *text) {
+  size_t n = 0, a = 0;
+  s->sym = malloc(strlen(text) + 1);
+  s->arg = malloc((strlen(text) + 1) * sizeof *s->arg);
+  while (*text) {
+    char symbol = *text++;
+    uint16_t arity = 0;
+    while (*text == (arity ? ',' : '(')) {
+      char *end;
+      s->arg[a++] = strtod(text + 1, &end);
+      text = end;
+      arity++;
+    }
+    if (arity) text++;
+    s->sym[n++] = kind_of(s, symbol, arity);
+  }
+  s->word = (LsysWord){.sym = s->sym, .arg = s->arg, .nsym = n, .narg = a};
+}
+
+static Sample *sample(const char *text, double angle) {
+  Sample *s = calloc(1, sizeof *s);
+  s->grammar = (LsysGrammar){.name = "test", .kinds = s->kind};
+  s->run = (LsysRun){.grammar = &s->grammar, .value = s->value};
+  for (int i = 0; i < LSYS_SETTING_COUNT; i++) s->value[i] = lsys_settings[i].value;
+  s->value[LSYS_SETTING_ANGLE] = angle;
+  sample_word(s, text);
+  return s;
+}
+
+static void release(Sample *s) {
+  free(s->sym);
+  free(s->arg);
+  free(s);
+}
+
+// Draws the word in parts of at most `part` modules; only for words without arguments if part is finite.
+static LsysVec3 draw(Sample *s, LsysMeasure *m, uint64_t part) {
+  lsys_measure_begin(m, true);
+  LsysTurtle *t = lsys_turtle_create(&s->run, &m->geometry);
+  assert_non_null(t);
+  for (uint64_t i = 0; i < s->word.nsym; i += part) {
+    uint64_t n = s->word.nsym - i < part ? s->word.nsym - i : part;
+    LsysWord piece = {.sym = s->sym + i, .arg = s->arg, .nsym = n, .narg = s->word.narg};
+    assert_true(lsys_turtle_take(t, &piece));
+  }
+  assert_true(lsys_turtle_end(t));
+  LsysVec3 end = lsys_turtle_position(t);
+  lsys_turtle_destroy(t);
+  return end;
+}
+
+static LsysVec3 draw_text(const char *text, double angle, LsysMeasure *m) {
+  Sample *s = sample(text, angle);
+  LsysVec3 end = draw(s, m, UINT64_MAX);
+  release(s);
+  return end;
+}
+
+static void assert_at(LsysVec3 p, double x, double y, double z) {
+  if (fabs(p.x - x) > 1e-12 || fabs(p.y - y) > 1e-12 || fabs(p.z - z) > 1e-12)
+    fail_msg("(%.17g, %.17g, %.17g) is not (%g, %g, %g)", p.x, p.y, p.z, x, y, z);
+}
+
+// Rewrites a D0L word `steps` times; rules are "L=+RF-LFL-FR+".
+static char *rewrite(const char *axiom, const char *const *rules, int steps) {
+  char *word = strdup(axiom);
+  for (int s = 0; s < steps; s++) {
+    size_t room = 1;
+    for (const char *c = word; *c; c++) {
+      size_t n = 1;
+      for (const char *const *r = rules; *r; r++)
+        if ((*r)[0] == *c) n = strlen(*r) - 2;
+      room += n;
+    }
+    char *next = malloc(room), *out = next;
+    for (const char *c = word; *c; c++) {
+      const char *successor = NULL;
+      for (const char *const *r = rules; *r; r++)
+        if ((*r)[0] == *c) successor = *r + 2;
+      if (successor) {
+        out = stpcpy(out, successor);
+      } else {
+        *out++ = *c;
+      }
+    }
+    *out = 0;
+    free(word);
+    word = next;
+  }
+  return word;
+}
+
+static void starts_up_the_page(void **state) {
+  (void)state;
+  LsysMeasure m;
+  assert_at(draw_text("F", 90, &m), 0, 1, 0);
+  assert_at(draw_text("F(3)", 90, &m), 0, 3, 0);
+  assert_at(draw_text("+F", 90, &m), -1, 0, 0);
+  assert_at(draw_text("-F", 90, &m), 1, 0, 0);
+  assert_at(draw_text("|F", 90, &m), 0, -1, 0);
+  assert_at(draw_text("+F", 60, &m), -sqrt(3) / 2, 0.5, 0);
+  assert_at(draw_text("+(30)F(2)", 90, &m), -1, sqrt(3), 0);
+}
+
+// The signs of rotations in space, each seen alone: & takes H away from U, / takes L away from U.
+static void turns_in_space(void **state) {
+  (void)state;
+  LsysMeasure m;
+  assert_at(draw_text("&F", 90, &m), 0, 0, -1);
+  assert_at(draw_text("^F", 90, &m), 0, 0, 1);
+  assert_at(draw_text("/+F", 90, &m), 0, 0, -1);
+  assert_at(draw_text("\\+F", 90, &m), 0, 0, 1);
+  assert_at(draw_text("&|F", 90, &m), 0, 0, 1);
+  assert_at(draw_text("&(30)F(2)", 90, &m), 0, sqrt(3), -1);
+}
+
+static void takes_settings(void **state) {
+  (void)state;
+  LsysMeasure m;
+  Sample *s = sample("F+F", 90);
+  s->value[LSYS_SETTING_STEP] = 0.1;
+  s->value[LSYS_SETTING_TURNS] = 1;
+  s->value[LSYS_SETTING_HEADING] = 0;
+  assert_at(draw(s, &m, UINT64_MAX), 0.1, -0.1, 0);
+  release(s);
+}
+
+static void brackets_return(void **state) {
+  (void)state;
+  LsysMeasure m;
+  assert_at(draw_text("F[+F]F", 60, &m), 0, 2, 0);
+  assert_int_equal(m.segments, 3);
+  assert_at(draw_text("F[;!(3)&F]F", 60, &m), 0, 2, 0);
+  assert_int_equal(m.of_colour[0], 2);
+  assert_int_equal(m.of_colour[1], 1);
+  assert_true(m.thinnest == 1 && m.thickest == 3);
+}
+
+static void moves_without_drawing(void **state) {
+  (void)state;
+  LsysMeasure m;
+  assert_at(draw_text("FfF", 90, &m), 0, 3, 0);
+  assert_int_equal(m.segments, 2);
+  assert_at(draw_text("ff", 90, &m), 0, 2, 0);
+  assert_false(lsys_measure_any(&m));
+}
+
+// A curve that closes does so exactly, and a part boundary changes nothing.
+static void check_curve(const char *axiom, const char *const *rules, double angle, int steps, uint64_t segments,
+                        LsysVec3 size, double x, double y) {
+  char *word = rewrite(axiom, rules, steps);
+  Sample *s = sample(word, angle);
+  for (uint64_t part = 1; part < 10000; part = part * 7 + 4) {
+    LsysMeasure m;
+    LsysVec3 end = draw(s, &m, part);
+    assert_int_equal(m.segments, segments);
+    assert_true(end.x == x && end.y == y);
+    assert_true(fabs(m.high.x - m.low.x - size.x) < 1e-9 && fabs(m.high.y - m.low.y - size.y) < 1e-9);
+    assert_true(fabs(m.length - (double)segments) < 1e-6);
+  }
+  release(s);
+  free(word);
+}
+
+static void curves_close(void **state) {
+  (void)state;
+  const char *koch[] = {"F=F-F++F-F", NULL}, *island[] = {"F=F-F+F+FF-F-F+F", NULL};
+  const char *hilbert[] = {"L=+RF-LFL-FR+", "R=-LF+RFR+FL-", NULL};
+  const double h = sqrt(3) / 2;
+  check_curve("F++F++F", koch, 60, 5, 3072, (LsysVec3){h * 324, 243, 0}, 0, 0);
+  check_curve("F-F-F-F", island, 90, 3, 2048, (LsysVec3){106, 106, 0}, 0, 0);
+  check_curve("L", hilbert, 90, 6, 4095, (LsysVec3){63, 63, 0}, -0.0, 63);
+}
+
+// 25.7 degrees is no whole fraction of a circle: 3600 turns of it are 257 circles.
+static void does_not_drift(void **state) {
+  (void)state;
+  LsysMeasure m;
+  Sample *s = sample("+", 25.7);
+  LsysTurtle *t = (lsys_measure_begin(&m, false), lsys_turtle_create(&s->run, &m.geometry));
+  enum { N = 3600 };
+  uint8_t many[N];
+  memset(many, s->sym[0], N);
+  for (int i = 0; i < 3000; i++) assert_true(lsys_turtle_take(t, &(LsysWord){.sym = many, .nsym = N}));
+  lsys_turtle_destroy(t);
+  release(s);
+  s = sample("F+", 25.7);
+  char *round = malloc(2 * N + 1);
+  for (int i = 0; i < N; i++) memcpy(round + 2 * i, "F+", 3);
+  LsysVec3 end = draw_text(round, 25.7, &m);
+  assert_true(fabs(end.x) < 1e-10 && fabs(end.y) < 1e-10);
+  free(round);
+  release(s);
+}
+
+static void odd_words_have_a_result(void **state) {
+  (void)state;
+  LsysMeasure m;
+  assert_at(draw_text("F]]F", 90, &m), 0, 2, 0);
+  assert_at(draw_text("F(nan)+(inf)F", 90, &m), 0, 1, 0);
+  assert_at(draw_text("F}F", 90, &m), 0, 2, 0);
+  assert_at(draw_text("{fF", 90, &m), 0, 2, 0);
+  assert_int_equal(m.polygons, 0);
+  draw_text("!(-3)F", 90, &m);
+  assert_true(m.thinnest == 0);
+  draw_text("{}{.}", 90, &m);
+  assert_int_equal(m.polygons, 0);
+}
+
+static void many_open_brackets(void **state) {
+  (void)state;
+  enum { N = 1000000 };
+  LsysMeasure m;
+  char *word = malloc(2 * N + 2);
+  memset(word, '[', N);
+  word[N] = 'F';
+  memset(word + N + 1, ']', N);
+  word[2 * N + 1] = 0;
+  assert_at(draw_text(word, 90, &m), 0, 0, 0);
+  assert_int_equal(m.segments, 1);
+  word[N + 1] = 0;
+  assert_at(draw_text(word, 90, &m), 0, 1, 0);
+  free(word);
+}
+
+// The leaf of ABOP fig. 1.25 and a polygon in a polygon.
+static void polygons(void **state) {
+  (void)state;
+  LsysMeasure m;
+  assert_at(draw_text("{-f+f+f-|-f+f+f}", 22.5, &m), 0, 0, 0);
+  assert_int_equal(m.polygons, 1);
+  draw_text("{f+f{f+f+f}+f}", 90, &m);
+  assert_int_equal(m.polygons, 2);
+  assert_true(m.low.x == -2 && m.high.y == 1);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(starts_up_the_page),
+    cmocka_unit_test(turns_in_space),
+    cmocka_unit_test(takes_settings),
+    cmocka_unit_test(brackets_return),
+    cmocka_unit_test(curves_close),
+    cmocka_unit_test(does_not_drift),
+    cmocka_unit_test(moves_without_drawing),
+    cmocka_unit_test(polygons),
+    cmocka_unit_test(odd_words_have_a_result),
+    cmocka_unit_test(many_open_brackets),
+  };
+  return cmocka_run_group_tests_name("turtle", tests, NULL, NULL);
+}
