@@ -85,16 +85,26 @@ static void describe_room(const Program *program, const Facts *facts, LsysGramma
   grammar->room_key = keys ? grammar->room_sym : 0;
 }
 
-static uint32_t grammar_flags(const Program *program, const Facts *facts) {
+static uint32_t homomorphism_flags(const Program *program) {
   uint32_t flags = 0;
+  for (size_t i = 0; i < program->lsystem_count; i++) {
+    const Productions *productions = &program->lsystems[i].homomorphism.productions;
+    if (productions->count) flags |= LSYS_GRAMMAR_HOMOMORPHISM;
+    for (size_t p = 0; p < productions->count; p++) {
+      if (productions->at[p]->left.count || productions->at[p]->right.count) flags |= LSYS_GRAMMAR_WHOLE;
+    }
+  }
+  // Which L-system a module belongs to depends on the delimiters before it.
+  return flags && program->lsystem_count > 1 ? flags | LSYS_GRAMMAR_WHOLE : flags;
+}
+
+static uint32_t grammar_flags(const Program *program, const Facts *facts) {
+  uint32_t flags = homomorphism_flags(program);
   if (!facts->deterministic) flags |= LSYS_GRAMMAR_RANDOM;
   if (facts->context_free) flags |= LSYS_GRAMMAR_EXPAND;
   if (facts->sequential) flags |= LSYS_GRAMMAR_SEQUENTIAL;
   if (facts->tables) flags |= LSYS_GRAMMAR_TABLES;
   if (program->kind_count > 256) flags |= LSYS_GRAMMAR_WIDE;
-  for (size_t i = 0; i < program->lsystem_count; i++) {
-    if (program->lsystems[i].homomorphism.productions.count) flags |= LSYS_GRAMMAR_HOMOMORPHISM;
-  }
   return flags;
 }
 

@@ -27,6 +27,9 @@ typedef struct Facts {
 
 Facts *facts_find(Arena *arena, const Program *program);
 
+// Productions by the kind of their (first) strict predecessor: one list per kind, each in file order.
+Productions *productions_by_kind(Arena *arena, const Program *program, const Productions *productions);
+
 // The descriptor of a grammar with everything but its function pointers, in
 // the arena. Code generation freezes it into constants, the interpreter and
 // the JIT use it as it is.

@@ -5,56 +5,49 @@
 // Sums of weights up to this one stay finite; of infinite sums no share is ever drawn.
 #define LARGEST_WEIGHT 1e300
 
-static KindId head_kind(const Production *production) {
-  return production->strict.at[0].kind;
+typedef struct Lists {
+  Productions *of;  // per kind
+  size_t *room;     // capacity of each
+} Lists;
+
+static Lists lists_create(Arena *arena, const Program *program) {
+  return (Lists){arena_array(arena, program->kind_count, sizeof(Productions)),
+                 arena_array(arena, program->kind_count, sizeof(size_t))};
 }
 
-// Appends each production of from to its kind's list.
-static void group(Analysis *analysis, Productions *lists, size_t *room, const Productions *from) {
+static void append(Arena *arena, Lists *lists, const Productions *from) {
   for (size_t i = 0; i < from->count; i++) {
-    KindId kind = head_kind(from->at[i]);
-    Productions *list = &lists[kind];
-    if (list->count == room[kind]) {
-      list->at = vec_grow(analysis->arena, list->at, list->count, &room[kind], sizeof *list->at);
+    KindId kind = from->at[i]->strict.at[0].kind;
+    Productions *list = &lists->of[kind];
+    if (list->count == lists->room[kind]) {
+      list->at = vec_grow(arena, list->at, list->count, &lists->room[kind], sizeof *list->at);
     }
     list->at[list->count++] = from->at[i];
   }
 }
 
-typedef const Productions *(*Section)(const LSystem *lsystem);
-
-static const Productions *derivation(const LSystem *lsystem) {
-  return &lsystem->productions;
-}
-
-static const Productions *decomposition(const LSystem *lsystem) {
-  return &lsystem->decomposition.productions;
-}
-
-static const Productions *homomorphism(const LSystem *lsystem) {
-  return &lsystem->homomorphism.productions;
-}
-
-// The first systems L-systems' productions of one or two sections, per kind.
-static Productions *gather(Analysis *analysis, size_t systems, Section first, Section second) {
-  const Program *program = analysis->program;
-  Productions *lists = arena_array(analysis->arena, program->kind_count, sizeof *lists);
-  size_t *room = arena_array(analysis->arena, program->kind_count, sizeof *room);
-  for (size_t i = 0; i < systems; i++) {
-    group(analysis, lists, room, first(&program->lsystems[i]));
-    if (second) group(analysis, lists, room, second(&program->lsystems[i]));
-  }
-  return lists;
+Productions *productions_by_kind(Arena *arena, const Program *program, const Productions *productions) {
+  Lists lists = lists_create(arena, program);
+  append(arena, &lists, productions);
+  return lists.of;
 }
 
 void find_productions(Analysis *analysis) {
-  size_t every = analysis->program->lsystem_count;
-  analysis->rewrites = gather(analysis, every, derivation, decomposition);
-  analysis->images = gather(analysis, every, homomorphism, NULL);
-  Productions *own = gather(analysis, 1, derivation, NULL);
-  Productions *decompositions = gather(analysis, 1, decomposition, NULL);
-  Productions *homomorphisms = gather(analysis, 1, homomorphism, NULL);
-  for (size_t k = 0; k < analysis->program->kind_count; k++) {
+  Arena *arena = analysis->arena;
+  const Program *program = analysis->program;
+  Lists rewrites = lists_create(arena, program), images = lists_create(arena, program);
+  for (size_t i = 0; i < program->lsystem_count; i++) {
+    append(arena, &rewrites, &program->lsystems[i].productions);
+    append(arena, &rewrites, &program->lsystems[i].decomposition.productions);
+    append(arena, &images, &program->lsystems[i].homomorphism.productions);
+  }
+  analysis->rewrites = rewrites.of;
+  analysis->images = images.of;
+  const LSystem *main_system = &program->lsystems[0];
+  Productions *own = productions_by_kind(arena, program, &main_system->productions);
+  Productions *decompositions = productions_by_kind(arena, program, &main_system->decomposition.productions);
+  Productions *homomorphisms = productions_by_kind(arena, program, &main_system->homomorphism.productions);
+  for (size_t k = 0; k < program->kind_count; k++) {
     KindFacts *kind = &analysis->facts->kinds[k];
     kind->own = own[k];
     kind->decompositions = decompositions[k];
