@@ -66,6 +66,7 @@ size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, size_t count, bool *
       *ok = act(t, &c, k);
       t->read -= i;
       if (!*ok) break;
+      if (k->act == PLAIN_POP && !turtle_is_plain(t)) return i + 1;
       continue;
     }
     uint32_t heading = c.heading + k->turn;

@@ -99,6 +99,12 @@ bool turtle_act(LsysTurtle *t, const KindInfo *kind, const double *arg);
 bool turtle_push(LsysTurtle *t);
 bool turtle_pop(LsysTurtle *t);
 
+// Does the state allow the fast loop? Turns and lengths have to mean what its table says.
+static inline bool turtle_is_plain(const LsysTurtle *t) {
+  const State *s = &t->state;
+  return t->plain && s->extra == 0 && s->scale == 1 && !s->swapped && !t->skip_next && !t->polygons;
+}
+
 // plain.c: reads modules while they are plain; returns how many. Sets *ok to false to stop.
 size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, size_t count, bool *ok);
 

@@ -232,7 +232,7 @@ bool lsys_turtle_take(LsysTurtle *t, const LsysWord *part) {
   for (uint64_t i = 0; i < part->nsym;) {
     t->read = start + i;
     if (t->points + 4 > BATCH_POINTS && !turtle_flush(t)) return false;
-    if (t->plain && t->state.extra == 0 && !t->state.swapped && !t->skip_next && !t->polygons) {
+    if (turtle_is_plain(t)) {
       bool ok = true;
       size_t plain = turtle_read_plain(t, part->sym + i, part->nsym - i, &ok);
       if (!ok) return false;

@@ -14,10 +14,10 @@
 #include <cmocka.h>
 
 // A grammar without productions, a run and a word of it, made from text: modules with at most
-// two arguments, F(1,2); every pair of symbol and number of arguments is a kind.
+// two arguments, F(1,2) or @s(2); every pair of symbol and number of arguments is a kind.
 typedef struct Sample {
   LsysKind kind[64];
-  char name[64][2];
+  char name[64][3];
   LsysGrammar grammar;
   LsysRun run;
   double value[LSYS_SETTING_COUNT];
@@ -26,12 +26,12 @@ typedef struct Sample {
   LsysWord word;
 } Sample;
 
-static uint8_t kind_of(Sample *s, char symbol, uint16_t arity) {
+static uint8_t kind_of(Sample *s, const char *symbol, uint16_t arity) {
   uint32_t i = 0;
-  while (i < s->grammar.kind_count && !(s->name[i][0] == symbol && s->kind[i].arity == arity)) i++;
+  while (i < s->grammar.kind_count && !(strcmp(s->name[i], symbol) == 0 && s->kind[i].arity == arity)) i++;
   if (i == s->grammar.kind_count) {
     s->grammar.kind_count++;
-    s->name[i][0] = symbol;
+    strcpy(s->name[i], symbol);
     s->kind[i] = (LsysKind){.symbol = s->name[i], .arity = arity, .turtle = (uint8_t)lsys_turtle_op(s->name[i])};
   }
   return (uint8_t)i;
@@ -42,7 +42,8 @@ static void sample_word(Sample *s, const char *text) {
   s->sym = malloc(strlen(text) + 1);
   s->arg = malloc((strlen(text) + 1) * sizeof *s->arg);
   while (*text) {
-    char symbol = *text++;
+    char symbol[3] = {*text++};
+    if (*symbol == '@') symbol[1] = *text++;
     uint16_t arity = 0;
     while (*text == (arity ? ',' : '(')) {
       char *end;
@@ -273,6 +274,18 @@ static void polygons(void **state) {
   assert_true(m.low.x == -2 && m.high.y == 1);
 }
 
+// The symbols that Fractint's commands become.
+static void scales_and_second_directions(void **state) {
+  (void)state;
+  LsysMeasure m;
+  assert_at(draw_text("F@s(0.5)F@s(4)FF(1)", 90, &m), 0, 1 + 0.5 + 2 + 1, 0);
+  assert_at(draw_text("[@s(3)F]F", 90, &m), 0, 1, 0);
+  assert_at(draw_text("+F@x+F[@x+F]-F", 90, &m), -2, 1, 0);
+  assert_at(draw_text("@dF@a(90)@d@x@a(180)@d@m", 90, &m), 1, 2, 0);
+  assert_int_equal(m.segments, 4);
+  assert_at(draw_text("|(90)F@x|(90)F", 90, &m), -1, -1, 0);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(starts_up_the_page),
@@ -282,6 +295,7 @@ int main(void) {
     cmocka_unit_test(curves_close),
     cmocka_unit_test(does_not_drift),
     cmocka_unit_test(moves_without_drawing),
+    cmocka_unit_test(scales_and_second_directions),
     cmocka_unit_test(polygons),
     cmocka_unit_test(odd_words_have_a_result),
     cmocka_unit_test(many_open_brackets),
