@@ -1,0 +1,271 @@
+// derive.c -- the driver of the engines: packs the start word with its keys and
+// lets the grammar derive it on a thread of its own, whose stack fits the depth.
+#include "core/derive.h"
+
+#include "core/message.h"
+#include "core/stream.h"
+
+#include <errno.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+
+enum {
+  GUARD_BYTES = 1 << 16,    // below the stack: touching it ends the program, not its data
+  RESERVE_BYTES = 1 << 18,  // for the sinks, which run on the same stack
+  LEAST_STACK = 1 << 23,    // virtual; the interpreter is not told how deep it goes
+};
+
+// ---- values ------------------------------------------------------------------
+
+static uint32_t find_param(const LsysGrammar *grammar, const char *name, size_t length) {
+  uint32_t i = 0;
+  while (i < grammar->param_count
+         && !(strncmp(grammar->params[i].name, name, length) == 0 && !grammar->params[i].name[length]))
+    i++;
+  return i;
+}
+
+static void no_such_param(const LsysGrammar *grammar, const char *name, int length) {
+  const char *near = NULL;
+  char wanted[64];
+  snprintf(wanted, sizeof wanted, "%.*s", length, name);
+  for (uint32_t i = 0; i < grammar->param_count && !near; i++) near = lsys_nearest(wanted, &grammar->params[i].name, 1);
+  if (near)
+    lsys_error("-D %s: the grammar has no param '%s'; did you mean '%s'?", name, wanted, near);
+  else
+    lsys_error("-D %s: the grammar has no param '%s'%s", name, wanted,
+               grammar->param_count ? "; --help lists them" : "; it declares none");
+}
+
+// Stores one -D NAME=VALUE in the run's values.
+static bool define(LsysRun *run, const char *definition, uint8_t *given) {
+  const LsysGrammar *grammar = run->grammar;
+  size_t length = strcspn(definition, "=");
+  uint32_t i = find_param(grammar, definition, length);
+  if (i == grammar->param_count) {
+    no_such_param(grammar, definition, (int)length);
+    return false;
+  }
+  const LsysParam *param = &grammar->params[i];
+  const char *text = definition + length + 1;
+  char *end;
+  double value = strtod(text, &end);
+  if (end == text || *end) {
+    lsys_error("-D %s: '%s' is not a number", definition, text);
+    return false;
+  }
+  if (!(value >= param->low && value <= param->high) && !(isinf(param->low) && isinf(param->high))) {
+    lsys_error("-D %s: %s must be in %.17g..%.17g", definition, param->name, param->low, param->high);
+    return false;
+  }
+  run->value[param->value] = value;
+  given[i] = 1;
+  return true;
+}
+
+static bool initialise_values(LsysWorker *worker, const LsysOptions *options) {
+  LsysRun *run = &worker->run;
+  LsysMemory *memory = worker->memory;
+  const LsysGrammar *grammar = run->grammar;
+  run->value = lsys_memory_alloc(memory, grammar->value_count, sizeof *run->value);
+  uint8_t *given = lsys_memory_alloc(memory, grammar->param_count, 1);
+  bool well = run->value && given;
+  for (size_t i = 0; well && i < options->definition_count; i++) well = define(run, options->definitions[i], given);
+  if (well && (well = setjmp(worker->stop) == 0)) grammar->init(run, given);
+  lsys_memory_free(memory, given, grammar->param_count, 1);
+  return well;
+}
+
+static bool has_productions(const LsysGrammar *grammar) {
+  for (uint32_t i = 0; i < grammar->kind_count; i++)
+    if (!(grammar->kinds[i].flags & LSYS_KIND_TERMINAL)) return true;
+  return false;
+}
+
+static bool choose_steps(LsysRun *run, const LsysOptions *options) {
+  const LsysOptionValue *given = &options->at[LSYS_OPTION_STEPS];
+  double setting = run->value[LSYS_SETTING_STEPS];
+  if (given->given) {
+    run->steps = given->whole;
+  } else if (!isnan(setting)) {
+    if (!(setting >= 0 && setting < 0x1p53 && setting == floor(setting))) {
+      lsys_error("the grammar's number of steps is %.17g; it must be a whole number, 0 or more", setting);
+      return false;
+    }
+    run->steps = (uint64_t)setting;
+  } else if (has_productions(run->grammar)) {
+    lsys_error("how many steps? Give -n STEPS (the grammar has no `steps:` of its own)");
+    return false;
+  }
+  return true;
+}
+
+static bool choose_axioms(LsysDerivation *derivation, const LsysOptions *options) {
+  const LsysOptionValue *which = &options->at[LSYS_OPTION_AXIOM];
+  derivation->first_axiom = 0;
+  derivation->axiom_end = derivation->worker.run.grammar->axiom_count;
+  if (!which->given) return true;
+  if (which->whole < 1 || which->whole > derivation->axiom_end) {
+    lsys_error("--axiom %s: the grammar has %u start word%s", which->text, derivation->axiom_end,
+               derivation->axiom_end == 1 ? "" : "s");
+    return false;
+  }
+  derivation->first_axiom = (uint32_t)which->whole - 1;
+  derivation->axiom_end = (uint32_t)which->whole;
+  return true;
+}
+
+bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar, const LsysOptions *options,
+                          LsysMemory *memory) {
+  const LsysOptionValue *seed = &options->at[LSYS_OPTION_SEED];
+  *derivation = (LsysDerivation){.worker = {.memory = memory, .run.grammar = grammar}};
+  LsysRun *run = &derivation->worker.run;
+  run->root = lsys_root(seed->given ? seed->whole : grammar->seed);
+  return initialise_values(&derivation->worker, options) && choose_steps(run, options)
+      && choose_axioms(derivation, options);
+}
+
+void lsys_derivation_close(LsysDerivation *derivation) {
+  lsys_memory_free(derivation->worker.memory, derivation->worker.run.value, derivation->worker.run.grammar->value_count,
+                   sizeof(double));
+  derivation->worker.run.value = NULL;
+  lsys_blocks_free(derivation->blocks, derivation->worker.memory);
+  derivation->blocks = NULL;
+}
+
+// ---- start words -------------------------------------------------------------
+
+static unsigned symbol_at(const LsysWord *word, unsigned width, uint64_t i) {
+  return width == 1 ? word->sym[i] : (unsigned)(word->sym[2 * i] | word->sym[2 * i + 1] << 8);
+}
+
+// keys[i] = split(root, number of modules before module i, over all start words).
+static void number_modules(const LsysRun *run, uint32_t which, uint64_t *key) {
+  const LsysGrammar *grammar = run->grammar;
+  uint64_t before = 0;
+  for (uint32_t i = 0; i < which; i++) before += grammar->axioms[i].word.nsym;
+  for (uint64_t i = 0; i < grammar->axioms[which].word.nsym; i++) key[i] = lsys_split(run->root, before + i);
+}
+
+// Leaves only the keys of kinds that store them; returns their number.
+static uint64_t keep_stored_keys(const LsysGrammar *grammar, const LsysWord *word, uint64_t *key) {
+  unsigned width = lsys_symbol_width(grammar);
+  uint64_t kept = 0;
+  for (uint64_t i = 0; i < word->nsym; i++)
+    if (grammar->kinds[symbol_at(word, width, i)].flags & LSYS_KIND_KEY) key[kept++] = key[i];
+  return kept;
+}
+
+// The packed start word, its arguments and keys in arrays of its own (args and keys of *word, to be freed).
+static bool pack_axiom(LsysWorker *worker, uint32_t which, LsysWord *word) {
+  LsysRun *run = &worker->run;
+  LsysMemory *memory = worker->memory;
+  const LsysGrammar *grammar = run->grammar;
+  *word = grammar->axioms[which].word;
+  double *arg = lsys_memory_alloc(memory, word->narg, sizeof *arg);
+  uint64_t *key = lsys_memory_alloc(memory, word->nsym, sizeof *key);
+  if (arg && word->narg) memcpy(arg, word->arg, word->narg * sizeof *arg);
+  word->arg = arg;
+  word->key = key;
+  if (!arg || !key) return false;
+  number_modules(run, which, key);
+  if (grammar->axiom) grammar->axiom(run, which, arg, key);
+  word->nkey = keep_stored_keys(grammar, word, key);
+  return true;
+}
+
+static void free_axiom(LsysMemory *memory, LsysWord *word) {
+  lsys_memory_free(memory, (double *)word->arg, word->narg, sizeof(double));
+  lsys_memory_free(memory, (uint64_t *)word->key, word->nsym, sizeof(uint64_t));
+}
+
+// ---- the engine's thread -----------------------------------------------------
+
+typedef struct Task {
+  LsysDerivation *derivation;
+  LsysWorker *worker;  // the derivation's
+  LsysSink *sink;
+  uint32_t axiom;
+  unsigned pass;
+  LsysWriter writer;
+  LsysWord word;  // the start word, packed
+  bool well;
+} Task;
+
+// The word flows into the sink: as it is, from the interpreter, or from compiled code.
+static bool derive(Task *task) {
+  LsysRun *run = &task->worker->run;
+  const LsysGrammar *grammar = run->grammar;
+  LsysStream *out = &task->writer.stream;
+  if (!grammar->derive) {
+    if (!pack_axiom(task->worker, task->axiom, &task->word)) return false;
+    if (run->steps == 0) return task->sink->take(task->sink, &task->word);
+    if (!grammar->expand) {
+      lsys_error("%s is not context-free: no engine of this program derives it", grammar->name);
+      return false;
+    }
+  }
+  if (!task->derivation->blocks && !(task->derivation->blocks = lsys_blocks_build(task->worker))) return false;
+  if (!lsys_writer_open(&task->writer, task->worker, task->sink)) return false;
+  if (grammar->derive)
+    grammar->derive(run, task->axiom, run->steps, out, grammar->derive_data);
+  else
+    grammar->expand(out, &task->word, run->steps);
+  lsys_flush(out);
+  return true;
+}
+
+static void *work(void *data) {
+  Task *task = data;
+  LsysSink *sink = task->sink;
+  if (setjmp(task->worker->stop) == 0)
+    task->well = sink->begin(sink, &task->worker->run, task->axiom, task->pass) && derive(task) && sink->end(sink);
+  return NULL;
+}
+
+// Virtual size: a frame for each step, no more than half of the allowed memory.
+static size_t stack_size(const LsysWorker *worker) {
+  uint64_t size, steps = worker->run.steps > UINT64_MAX - 64 ? UINT64_MAX : worker->run.steps + 64;
+  if (__builtin_mul_overflow(steps, (uint64_t)worker->run.grammar->frame_bytes, &size)) size = UINT64_MAX;
+  if (size > worker->memory->limit / 2) size = worker->memory->limit / 2;
+  if (size < LEAST_STACK) size = LEAST_STACK;
+  return (size_t)(size & ~UINT64_C(0xffff)) + GUARD_BYTES + RESERVE_BYTES;
+}
+
+// Runs the task on a new thread with a big stack, whose pages cost memory only when the recursion reaches them.
+static bool run_on_stack(Task *task) {
+  size_t size = stack_size(task->worker);
+  char *stack =
+    mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
+  if (stack == MAP_FAILED) {
+    lsys_error("no room for a stack of %zu bytes: %s", size, strerror(errno));
+    return false;
+  }
+  mprotect(stack, GUARD_BYTES, PROT_NONE);
+  LsysWorker *worker = task->worker;
+  worker->stack_limit = (uintptr_t)stack + GUARD_BYTES + RESERVE_BYTES;
+  worker->stack_bytes = size - GUARD_BYTES - RESERVE_BYTES;
+  pthread_t thread;
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstack(&attributes, stack + GUARD_BYTES, size - GUARD_BYTES);
+  int error = pthread_create(&thread, &attributes, work, task);
+  pthread_attr_destroy(&attributes);
+  if (error)
+    lsys_error("cannot start a thread: %s", strerror(error));
+  else
+    pthread_join(thread, NULL);
+  munmap(stack, size);
+  return !error && task->well;
+}
+
+bool lsys_derivation_run(LsysDerivation *derivation, uint32_t axiom, LsysSink *sink, unsigned pass) {
+  Task task = {.derivation = derivation, .worker = &derivation->worker, .sink = sink, .axiom = axiom, .pass = pass};
+  bool well = run_on_stack(&task);
+  if (task.writer.stream.run) lsys_writer_close(&task.writer);
+  free_axiom(derivation->worker.memory, &task.word);
+  return well;
+}

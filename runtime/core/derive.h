@@ -1,0 +1,25 @@
+// derive.h -- one derivation: a grammar with its values, seed and number of
+// steps, whose words flow into sinks.
+#ifndef LSYS_CORE_DERIVE_H
+#define LSYS_CORE_DERIVE_H
+
+#include "core/blocks.h"
+#include "core/options.h"
+#include "core/stream.h"
+
+typedef struct LsysDerivation {
+  LsysWorker worker;                // the run, and what belongs to its thread
+  LsysBlocks *blocks;               // made when first needed
+  uint32_t first_axiom, axiom_end;  // the start words that are asked for
+} LsysDerivation;
+
+// Takes values, seed, steps and start words from the options and the grammar's
+// defaults. False after printing what is wrong.
+bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar, const LsysOptions *options,
+                          LsysMemory *memory);
+void lsys_derivation_close(LsysDerivation *derivation);
+
+// Lets the word of start word `axiom` flow into the sink once: begin, takes, end. False after printing why it stopped.
+bool lsys_derivation_run(LsysDerivation *derivation, uint32_t axiom, LsysSink *sink, unsigned pass);
+
+#endif

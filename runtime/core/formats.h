@@ -1,0 +1,36 @@
+// formats.h -- the formats as a table (formats.def), and how a format's sink is made.
+#ifndef LSYS_CORE_FORMATS_H
+#define LSYS_CORE_FORMATS_H
+
+#include "core/memory.h"
+#include "core/options.h"
+#include "core/out.h"
+#include "sinks/sink.h"
+
+// What a sink may use; all of it outlives the sink, which does not commit the output.
+typedef struct LsysSinkContext {
+  const LsysGrammar *grammar;
+  const LsysOptions *options;
+  LsysMemory *memory;
+  LsysOut *out;
+} LsysSinkContext;
+
+// NULL after printing why not.
+typedef LsysSink *LsysSinkCreate(const LsysSinkContext *context);
+
+typedef struct LsysFormat {
+  const char *name, *suffixes;
+  LsysSinkCreate *create;
+  const char *doc;
+} LsysFormat;
+
+extern const LsysFormat lsys_formats[];
+extern const size_t lsys_format_count;
+
+#define FORMAT(name, suffixes, create, doc) LsysSinkCreate create;
+#include "core/formats.def"
+
+// The format called name, or (name NULL) the one of path's suffix, or text for "-"; NULL after printing what there is.
+const LsysFormat *lsys_format_find(const char *name, const char *path);
+
+#endif

@@ -1,0 +1,17 @@
+// growth.h -- counts of modules without deriving, where they depend on kinds alone (LsysGrammar.growth).
+#ifndef LSYS_CORE_GROWTH_H
+#define LSYS_CORE_GROWTH_H
+
+#include "core/bigint.h"
+#include "core/derive.h"
+#include "core/out.h"
+
+// counts[k] += the exact number of modules of kind k in start word `axiom` after `steps` steps, for kind_count
+// numbers that are 0. The grammar has a growth matrix. False after printing that there is no memory.
+bool lsys_growth_counts(const LsysGrammar *grammar, uint32_t axiom, uint64_t steps, LsysMemory *memory,
+                        LsysBig *counts);
+
+// Prints what the count sink would print, for every start word asked for.
+bool lsys_growth_print(const LsysDerivation *derivation, LsysOut *out);
+
+#endif

@@ -1,0 +1,73 @@
+// memory.c -- booked allocation. The account counts what was asked for, not
+// pages touched: a bound that can be kept on every machine.
+#include "core/memory.h"
+
+#include "core/message.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+enum { LEAST_CAPACITY = 64 };
+
+uint64_t lsys_memory_default(void) {
+  long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGE_SIZE);
+  if (pages <= 0 || size <= 0) return UINT64_C(1) << 30;
+  return (uint64_t)pages * (uint64_t)size / 4 * 3;
+}
+
+bool lsys_memory_take(LsysMemory *memory, uint64_t bytes) {
+  uint64_t used = atomic_load_explicit(&memory->used, memory_order_relaxed);
+  do {
+    if (bytes > memory->limit || used > memory->limit - bytes) return false;
+  } while (!atomic_compare_exchange_weak_explicit(&memory->used, &used, used + bytes, memory_order_relaxed,
+                                                  memory_order_relaxed));
+  return true;
+}
+
+void lsys_memory_give(LsysMemory *memory, uint64_t bytes) {
+  atomic_fetch_sub_explicit(&memory->used, bytes, memory_order_relaxed);
+}
+
+void lsys_memory_refuse(const LsysMemory *memory, uint64_t bytes) {
+  double mega = 1 << 20;
+  lsys_error("out of memory: %.1f MiB are in use, %.1f MiB more are wanted, and --max-memory is %.1f MiB",
+             (double)atomic_load(&memory->used) / mega, (double)bytes / mega, (double)memory->limit / mega);
+}
+
+void *lsys_memory_alloc(LsysMemory *memory, size_t count, size_t size) {
+  size_t bytes;
+  if (__builtin_mul_overflow(count, size, &bytes)) bytes = SIZE_MAX;
+  if (!lsys_memory_take(memory, bytes)) {
+    lsys_memory_refuse(memory, bytes);
+    return NULL;
+  }
+  void *at = calloc(count ? count : 1, size);
+  if (at) return at;
+  lsys_memory_refuse(memory, bytes);
+  lsys_memory_give(memory, bytes);
+  return NULL;
+}
+
+void lsys_memory_free(LsysMemory *memory, void *at, size_t count, size_t size) {
+  if (!at) return;
+  free(at);
+  lsys_memory_give(memory, (uint64_t)count * size);
+}
+
+void *lsys_memory_grow(LsysMemory *memory, void *at, size_t *capacity, size_t size) {
+  size_t wanted = *capacity ? *capacity : LEAST_CAPACITY / 2, bytes = SIZE_MAX, before = at ? *capacity * size : 0;
+  if (__builtin_mul_overflow(wanted, (size_t)2, &wanted) || __builtin_mul_overflow(wanted, size, &bytes))
+    bytes = SIZE_MAX;
+  void *grown = NULL;
+  // Both arrays stand side by side while the old one is copied.
+  if (lsys_memory_take(memory, bytes)) {
+    grown = realloc(at, bytes);
+    lsys_memory_give(memory, grown ? before : bytes);
+  }
+  if (!grown) {
+    lsys_memory_refuse(memory, bytes);
+    return NULL;
+  }
+  *capacity = wanted;
+  return grown;
+}

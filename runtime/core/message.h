@@ -1,0 +1,19 @@
+// message.h -- what the run time says to its user, on standard error:
+//   plant: error: cannot write out.svg: No space left on device
+#ifndef LSYS_CORE_MESSAGE_H
+#define LSYS_CORE_MESSAGE_H
+
+#include <stdarg.h>
+
+// The name that messages begin with; the pointer is kept.
+void lsys_message_program(const char *name);
+const char *lsys_message_name(void);
+
+void lsys_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
+void lsys_verror(const char *format, va_list args);
+void lsys_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+// The candidate (of count) nearest to the misspelt word, or NULL if none is near.
+const char *lsys_nearest(const char *word, const char *const *candidates, unsigned count);
+
+#endif

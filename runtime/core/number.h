@@ -1,0 +1,16 @@
+// number.h -- numbers as text: the shortest digits that read back to the same double.
+#ifndef LSYS_CORE_NUMBER_H
+#define LSYS_CORE_NUMBER_H
+
+#include <stdint.h>
+
+enum { LSYS_NUMBER_SIZE = 32 };  // room that lsys_number_print needs
+
+// Writes x as LANGUAGE.md section 9 asks: shortest digits laid out as %.17g would, "nan", "inf", "-inf".
+// Returns the end; writes no terminating zero.
+char *lsys_number_print(char *to, double x);
+
+// Writes n in decimal; at most 20 characters.
+char *lsys_whole_print(char *to, uint64_t n);
+
+#endif

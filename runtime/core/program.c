@@ -1,0 +1,107 @@
+// program.c -- lsys_main: the command line of a compiled program, from options
+// to the last byte written. `lsysc run` and `lsysc interp` come here too.
+#include "core/derive.h"
+#include "core/formats.h"
+#include "core/growth.h"
+#include "core/message.h"
+#include "core/signals.h"
+#include "sinks/tee.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { MOST_SINKS = 4 };  // the word or picture, and the reports
+
+// What the options ask for: sinks, and where they write.
+typedef struct Outputs {
+  LsysOut *file;    // of -o; NULL
+  LsysOut *screen;  // standard output
+  LsysSink *sinks[MOST_SINKS];
+  size_t count;
+  bool only_counts;  // nothing but --count: no word is needed where there is a growth matrix
+} Outputs;
+
+static bool add_sink(Outputs *outputs, LsysSinkContext context, LsysSinkCreate *create, LsysOut *out) {
+  context.out = out;
+  LsysSink *sink = create(&context);
+  if (sink) outputs->sinks[outputs->count++] = sink;
+  return sink;
+}
+
+// Reports go to standard output; the word too, unless it has a file or only reports were asked for.
+static bool open_outputs(Outputs *outputs, LsysSinkContext context) {
+  const LsysOptionValue *options = context.options->at;
+  const LsysOptionValue *path = &options[LSYS_OPTION_OUTPUT], *format_name = &options[LSYS_OPTION_FORMAT];
+  bool count = options[LSYS_OPTION_COUNTS].given, hash = options[LSYS_OPTION_HASH].given;
+  bool word = path->given || format_name->given || !(count || hash);
+  const LsysFormat *format = word ? lsys_format_find(format_name->text, path->given ? path->text : "-") : NULL;
+  if (word && !format) return false;
+  outputs->only_counts = count && !hash && !word;
+  outputs->screen = lsys_out_open("-");
+  if (path->given && strcmp(path->text, "-")) outputs->file = lsys_out_open(path->text);
+  if (!outputs->screen || (path->given && strcmp(path->text, "-") && !outputs->file)) return false;
+  return (!word || add_sink(outputs, context, format->create, outputs->file ? outputs->file : outputs->screen))
+      && (!count || add_sink(outputs, context, lsys_sink_count, outputs->screen))
+      && (!hash || add_sink(outputs, context, lsys_sink_hash, outputs->screen));
+}
+
+// Completes the files if all went well, else removes them.
+static bool close_outputs(Outputs *outputs, bool well) {
+  for (size_t i = 0; i < outputs->count; i++) outputs->sinks[i]->destroy(outputs->sinks[i]);
+  LsysOut *outs[] = {outputs->file, outputs->screen};
+  for (int i = 0; i < 2; i++) {
+    if (!outs[i]) continue;
+    if (!well)
+      lsys_out_abandon(outs[i]);
+    else
+      well = lsys_out_commit(outs[i]);
+  }
+  return well;
+}
+
+static bool derive_into(LsysDerivation *derivation, Outputs *outputs) {
+  if (outputs->only_counts && derivation->worker.run.grammar->growth.row)
+    return lsys_growth_print(derivation, outputs->screen);
+  LsysTee tee;
+  lsys_tee_init(&tee, outputs->sinks, outputs->count);
+  LsysSink *sink = outputs->count == 1 ? outputs->sinks[0] : &tee.sink;
+  for (unsigned pass = 0; pass < sink->passes; pass++)
+    for (uint32_t axiom = derivation->first_axiom; axiom < derivation->axiom_end; axiom++)
+      if (!lsys_derivation_run(derivation, axiom, sink, pass)) return false;
+  return sink->finish(sink);
+}
+
+static bool run(const LsysGrammar *grammar, const LsysOptions *options) {
+  const LsysOptionValue *limit = &options->at[LSYS_OPTION_MAX_MEMORY];
+  LsysMemory memory = {.limit = limit->given ? limit->whole : lsys_memory_default()};
+  LsysDerivation derivation;
+  Outputs outputs = {0};
+  bool well = lsys_derivation_open(&derivation, grammar, options, &memory);
+  well = well && open_outputs(&outputs, (LsysSinkContext){grammar, options, &memory, NULL});
+  well = well && derive_into(&derivation, &outputs);
+  well = close_outputs(&outputs, well);
+  lsys_derivation_close(&derivation);
+  return well;
+}
+
+int lsys_main(const LsysGrammar *grammar, int argc, char **argv) {
+  lsys_message_program(argc > 0 ? argv[0] : grammar->name);
+  if (grammar->abi_version != LSYS_ABI_VERSION) {
+    lsys_error("this program was compiled for version %u of the run time, which is version %u", grammar->abi_version,
+               LSYS_ABI_VERSION);
+    return 1;
+  }
+  LsysOptions options;
+  bool well = lsys_options_parse(&options, argc, argv);
+  if (well && options.at[LSYS_OPTION_HELP].given) {
+    well = lsys_help(stdout, grammar, options.at[LSYS_OPTION_HELP].text);
+  } else if (well && options.at[LSYS_OPTION_VERSION].given) {
+    printf("%s, compiled by lsysc %s\n", grammar->name, LSYS_VERSION);
+  } else if (well) {
+    lsys_signals_install();
+    well = run(grammar, &options);
+  }
+  lsys_options_free(&options);
+  if (fflush(stdout) != 0) well = false;
+  return well ? 0 : 1;
+}

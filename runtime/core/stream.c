@@ -1,0 +1,109 @@
+// stream.c -- what engines call while they write: full chunks go to the sink.
+// Invariant: after lsys_flush there is room for what the grammar writes between two checks.
+#include "core/stream.h"
+
+#include "core/message.h"
+
+#include <stdarg.h>
+#include <string.h>
+
+// Words at least this long are handed to the sink where they stand, without a copy.
+enum { DIRECT = 1 << 12 };
+
+static void rewind_cursors(LsysWriter *writer) {
+  LsysStream *to = &writer->stream;
+  to->sym = writer->sym;
+  to->arg = writer->arg;
+  to->key = writer->key;
+  to->sym_limit = writer->sym + writer->sym_bytes;
+  to->arg_limit = writer->arg + writer->arg_room;
+  to->key_limit = writer->key + writer->key_room;
+}
+
+static LsysMemory *memory_of(const LsysWriter *writer) {
+  return ((LsysWorker *)writer->stream.run)->memory;
+}
+
+bool lsys_writer_open(LsysWriter *writer, LsysWorker *worker, LsysSink *sink) {
+  const LsysGrammar *grammar = worker->run.grammar;
+  *writer = (LsysWriter){.stream = {.run = &worker->run, .stack_limit = worker->stack_limit}, .sink = sink};
+  writer->width = lsys_symbol_width(grammar);
+  writer->sym_bytes = ((size_t)LSYS_CHUNK + grammar->room_sym) * writer->width;
+  writer->arg_room = (size_t)LSYS_CHUNK + grammar->room_arg;
+  writer->key_room = grammar->flags & LSYS_GRAMMAR_RANDOM ? (size_t)LSYS_CHUNK + grammar->room_key : 0;
+  writer->sym = lsys_memory_alloc(worker->memory, writer->sym_bytes, 1);
+  writer->arg = lsys_memory_alloc(worker->memory, writer->arg_room, sizeof(double));
+  writer->key = lsys_memory_alloc(worker->memory, writer->key_room, sizeof(uint64_t));
+  rewind_cursors(writer);
+  if (writer->sym && writer->arg && writer->key) return true;
+  lsys_writer_close(writer);
+  return false;
+}
+
+void lsys_writer_close(LsysWriter *writer) {
+  LsysMemory *memory = memory_of(writer);
+  lsys_memory_free(memory, writer->sym, writer->sym_bytes, 1);
+  lsys_memory_free(memory, writer->arg, writer->arg_room, sizeof(double));
+  lsys_memory_free(memory, writer->key, writer->key_room, sizeof(uint64_t));
+  writer->sym = NULL;
+  writer->arg = NULL;
+  writer->key = NULL;
+}
+
+static _Noreturn void stop(LsysRun *run) {
+  longjmp(((LsysWorker *)run)->stop, 1);
+}
+
+static void hand_on(LsysWriter *writer, const LsysWord *part) {
+  if (!writer->sink->take(writer->sink, part)) stop(writer->stream.run);
+}
+
+void lsys_flush(LsysStream *out) {
+  LsysWriter *writer = (LsysWriter *)out;
+  LsysWord part = {.sym = writer->sym, .arg = writer->arg, .key = writer->key};
+  part.nsym = (uint64_t)(out->sym - writer->sym) / writer->width;
+  part.narg = (uint64_t)(out->arg - writer->arg);
+  part.nkey = (uint64_t)(out->key - writer->key);
+  rewind_cursors(writer);
+  if (part.nsym) hand_on(writer, &part);
+}
+
+void lsys_append(LsysStream *out, const uint8_t *sym, uint64_t nsym, const double *arg, uint64_t narg) {
+  LsysWriter *writer = (LsysWriter *)out;
+  size_t bytes = (size_t)nsym * writer->width;
+  if (nsym >= DIRECT || (size_t)(out->sym_limit - out->sym) < bytes || (size_t)(out->arg_limit - out->arg) < narg)
+    lsys_flush(out);
+  if (nsym >= DIRECT || writer->sym_bytes < bytes || writer->arg_room < narg) {
+    hand_on(writer, &(LsysWord){.sym = sym, .arg = arg, .nsym = nsym, .narg = narg});
+    return;
+  }
+  memcpy(out->sym, sym, bytes);
+  out->sym += bytes;
+  if (narg) memcpy(out->arg, arg, narg * sizeof *arg);
+  out->arg += narg;
+}
+
+void lsys_too_deep(LsysStream *out) {
+  lsys_fail(out->run,
+            "the derivation is nested too deep for its stack of %.1f MiB: take fewer steps (-n), or allow more memory "
+            "(--max-memory)",
+            (double)((LsysWorker *)out->run)->stack_bytes / (1 << 20));
+}
+
+void lsys_charge(LsysRun *run, int64_t bytes) {
+  LsysMemory *memory = ((LsysWorker *)run)->memory;
+  if (bytes < 0) {
+    lsys_memory_give(memory, -(uint64_t)bytes);
+  } else if (!lsys_memory_take(memory, (uint64_t)bytes)) {
+    lsys_memory_refuse(memory, (uint64_t)bytes);
+    stop(run);
+  }
+}
+
+void lsys_fail(LsysRun *run, const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  lsys_verror(format, args);
+  va_end(args);
+  stop(run);
+}

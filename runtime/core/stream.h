@@ -1,0 +1,41 @@
+// stream.h -- the writer behind an LsysStream: a bounded chunk that engines fill
+// and that flows into a sink whenever it is full.
+#ifndef LSYS_CORE_STREAM_H
+#define LSYS_CORE_STREAM_H
+
+#include "core/memory.h"
+#include "sinks/sink.h"
+
+#include <setjmp.h>
+
+// Modules in a chunk: its symbols, and two arguments for each, fit into an L2 cache.
+enum { LSYS_CHUNK = 1 << 14 };
+
+// A run as the thread sees it that works on it.
+typedef struct LsysWorker {
+  LsysRun run;  // first: engines and sinks hold a pointer to it
+  LsysMemory *memory;
+  jmp_buf stop;           // where the thread goes when the run has to stop; a message was printed
+  uintptr_t stack_limit;  // of its stack, for streams
+  size_t stack_bytes;
+} LsysWorker;
+
+typedef struct LsysWriter {
+  LsysStream stream;  // first: engines hold a pointer to it; its run is a worker's
+  LsysSink *sink;
+  uint8_t *sym;  // the chunk
+  double *arg;
+  uint64_t *key;
+  size_t sym_bytes, arg_room, key_room;
+  unsigned width;  // bytes of a symbol
+} LsysWriter;
+
+// Makes an empty chunk that flows into sink. False after printing why not.
+bool lsys_writer_open(LsysWriter *writer, LsysWorker *worker, LsysSink *sink);
+void lsys_writer_close(LsysWriter *writer);
+
+static inline unsigned lsys_symbol_width(const LsysGrammar *grammar) {
+  return grammar->flags & LSYS_GRAMMAR_WIDE ? 2 : 1;
+}
+
+#endif

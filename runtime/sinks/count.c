@@ -1,0 +1,94 @@
+// count.c -- how many modules of each symbol, all numbers of arguments
+// together, in the order in which symbols first stand in the grammar.
+#include "sinks/count.h"
+
+#include "core/number.h"
+#include "core/stream.h"
+
+#include <string.h>
+
+enum { LANES = 4 };  // neighbouring modules count in different tables, so that equal ones need not wait for each other
+
+typedef struct CountSink {
+  LsysSink sink;
+  const LsysGrammar *grammar;
+  LsysMemory *memory;
+  LsysOut *out;
+  uint32_t axiom;
+  bool several;       // start words: each block gets a heading
+  uint64_t counts[];  // LANES tables of kind_count each
+} CountSink;
+
+bool lsys_count_heading(LsysOut *out, bool several, uint32_t axiom) {
+  return !several || lsys_out_print(out, "axiom %u\n", axiom + 1);
+}
+
+uint32_t lsys_count_first(const LsysGrammar *grammar, uint32_t kind) {
+  uint32_t first = 0;
+  while (strcmp(grammar->kinds[first].symbol, grammar->kinds[kind].symbol)) first++;
+  return first;
+}
+
+static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
+  (void)run, (void)pass;
+  CountSink *count = (CountSink *)sink;
+  count->axiom = axiom;
+  memset(count->counts, 0, (size_t)LANES * count->grammar->kind_count * sizeof *count->counts);
+  return true;
+}
+
+static bool take(LsysSink *sink, const LsysWord *part) {
+  CountSink *count = (CountSink *)sink;
+  size_t kinds = count->grammar->kind_count;
+  uint64_t *lane[LANES], i = 0;
+  for (int l = 0; l < LANES; l++) lane[l] = count->counts + (size_t)l * kinds;
+  if (lsys_symbol_width(count->grammar) == 2) {
+    for (; i < part->nsym; i++) lane[0][part->sym[2 * i] | part->sym[2 * i + 1] << 8]++;
+    return true;
+  }
+  for (; i + LANES <= part->nsym; i += LANES)
+    for (int l = 0; l < LANES; l++) lane[l][part->sym[i + l]]++;
+  for (; i < part->nsym; i++) lane[0][part->sym[i]]++;
+  return true;
+}
+
+static bool end(LsysSink *sink) {
+  CountSink *count = (CountSink *)sink;
+  const LsysGrammar *grammar = count->grammar;
+  uint32_t kinds = grammar->kind_count;
+  uint64_t *sum = count->counts, total = 0;
+  for (uint32_t k = 0; k < kinds; k++) {
+    for (uint32_t l = 1; l < LANES; l++) sum[k] += count->counts[l * kinds + k];
+    total += sum[k];
+    uint32_t first = lsys_count_first(grammar, k);
+    if (first != k) sum[first] += sum[k];
+  }
+  bool well = lsys_count_heading(count->out, count->several, count->axiom);
+  for (uint32_t k = 0; k < kinds; k++)
+    if (lsys_count_first(grammar, k) == k)
+      well = lsys_out_print(count->out, "%s\t%llu\n", grammar->kinds[k].symbol, (unsigned long long)sum[k]);
+  return well && lsys_out_print(count->out, "total\t%llu\n", (unsigned long long)total);
+}
+
+static bool finish(LsysSink *sink) {
+  (void)sink;
+  return true;
+}
+
+static void destroy(LsysSink *sink) {
+  CountSink *count = (CountSink *)sink;
+  lsys_memory_free(count->memory, count, 1,
+                   sizeof *count + (size_t)LANES * count->grammar->kind_count * sizeof *count->counts);
+}
+
+LsysSink *lsys_sink_count(const LsysSinkContext *context) {
+  size_t kinds = context->grammar->kind_count;
+  CountSink *count = lsys_memory_alloc(context->memory, 1, sizeof *count + LANES * kinds * sizeof *count->counts);
+  if (!count) return NULL;
+  count->sink = (LsysSink){1, begin, take, end, finish, destroy};
+  count->grammar = context->grammar;
+  count->memory = context->memory;
+  count->out = context->out;
+  count->several = context->grammar->axiom_count > 1 && !context->options->at[LSYS_OPTION_AXIOM].given;
+  return &count->sink;
+}

@@ -1,0 +1,168 @@
+// grammars.h -- small grammars written by hand, as the code generator would
+// compile them: what the run time expects of a grammar, in C.
+#ifndef LSYS_TESTS_GRAMMARS_H
+#define LSYS_TESTS_GRAMMARS_H
+
+#include "lsys/abi.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+static inline bool grammar_has_room(const LsysStream *out, const LsysGrammar *grammar) {
+  return out->sym_limit - out->sym >= (ptrdiff_t)grammar->room_sym
+      && out->arg_limit - out->arg >= (ptrdiff_t)grammar->room_arg
+      && out->key_limit - out->key >= (ptrdiff_t)grammar->room_key;
+}
+
+static inline void grammar_settings(LsysRun *run) {
+  for (int i = 0; i < LSYS_SETTING_COUNT; i++) run->value[i] = lsys_settings[i].value;
+}
+
+// ---- Lindenmayer's algae, ABOP p. 4:  axiom: A   A --> AB   B --> A ------------
+
+enum { ALGAE_A, ALGAE_B };
+
+static const LsysGrammar algae;
+
+static void algae_expand_kind(LsysStream *out, uint8_t kind, uint64_t steps) {
+  if ((uintptr_t)__builtin_frame_address(0) < out->stack_limit) lsys_too_deep(out);
+  const LsysRun *run = out->run;
+  while (steps && steps >= run->block_levels[kind]) {
+    steps--;
+    if (kind == ALGAE_A) {
+      algae_expand_kind(out, ALGAE_A, steps);
+      kind = ALGAE_B;  // the last module of a successor is derived by the loop
+    } else {
+      kind = ALGAE_A;
+    }
+  }
+  if (steps < run->block_levels[kind]) {
+    const LsysBlock *block = &run->block[kind][steps];
+    lsys_append(out, block->sym, block->nsym, block->arg, block->narg);
+    return;
+  }
+  if (!grammar_has_room(out, &algae)) lsys_flush(out);
+  *out->sym++ = kind;
+}
+
+static void algae_expand(LsysStream *out, const LsysWord *in, uint64_t steps) {
+  for (uint64_t i = 0; i < in->nsym; i++) algae_expand_kind(out, in->sym[i], steps);
+}
+
+static void algae_init(LsysRun *run, const uint8_t *given) {
+  (void)given;
+  grammar_settings(run);
+}
+
+static const uint8_t algae_axiom[] = {ALGAE_A};
+static const LsysKind algae_kinds[] = {{"A", 0, 0, LSYS_KIND_FIXED}, {"B", 0, 0, LSYS_KIND_FIXED}};
+static const LsysAxiom algae_axioms[] = {{.word = {.sym = algae_axiom, .nsym = 1}}};
+static const uint32_t algae_rows[] = {0, 2, 3}, algae_columns[] = {0, 1, 0}, algae_counts[] = {1, 1, 1};
+
+static const LsysGrammar algae = {
+  .abi_version = LSYS_ABI_VERSION,
+  .flags = LSYS_GRAMMAR_EXPAND,
+  .name = "algae",
+  .kind_count = 2,
+  .kinds = algae_kinds,
+  .axiom_count = 1,
+  .axioms = algae_axioms,
+  .value_count = LSYS_SETTING_COUNT,
+  .room_sym = 1,
+  .frame_bytes = 128,
+  .growth = {algae_rows, algae_columns, algae_counts},
+  .init = algae_init,
+  .expand = algae_expand,
+};
+
+// ---- a row of branches with a param, a guard, a weight and keys -----------------
+//   param r = 0.5 in 0..1
+//   axiom: A(1) A(2)
+//   A(x) : x > 0.2 --> F(x)[A(x*r)]    : 0.75
+//   A(x)           --> F(x)            : 0.25
+
+enum { ROW_A, ROW_F, ROW_OPEN, ROW_CLOSE, ROW_R = LSYS_SETTING_COUNT };
+
+static const LsysGrammar row;
+
+static void row_put(LsysStream *out, uint8_t kind) {
+  *out->sym++ = kind;
+}
+
+static void row_put_arg(LsysStream *out, uint8_t kind, double x) {
+  *out->sym++ = kind;
+  *out->arg++ = x;
+}
+
+static void row_expand_a(LsysStream *out, uint64_t steps, double x, uint64_t key) {
+  if ((uintptr_t)__builtin_frame_address(0) < out->stack_limit) lsys_too_deep(out);
+  if (!grammar_has_room(out, &row)) lsys_flush(out);
+  if (steps == 0) {
+    row_put_arg(out, ROW_A, x);
+    *out->key++ = key;
+    return;
+  }
+  double weight = (x > 0.2 ? 0.75 : 0), sum = weight + 0.25;
+  bool branches = lsys_draw(key, 0) * sum < weight;
+  row_put_arg(out, ROW_F, x);
+  if (!branches) return;
+  row_put(out, ROW_OPEN);
+  row_expand_a(out, steps - 1, x * out->run->value[ROW_R], lsys_split(key, 2));
+  if (!grammar_has_room(out, &row)) lsys_flush(out);
+  row_put(out, ROW_CLOSE);
+}
+
+static void row_expand(LsysStream *out, const LsysWord *in, uint64_t steps) {
+  const double *arg = in->arg;
+  const uint64_t *key = in->key;
+  for (uint64_t i = 0; i < in->nsym; i++) {
+    if (in->sym[i] == ROW_A) {
+      row_expand_a(out, steps, *arg++, *key++);
+      continue;
+    }
+    if (!grammar_has_room(out, &row)) lsys_flush(out);
+    if (in->sym[i] == ROW_F)
+      row_put_arg(out, ROW_F, *arg++);
+    else
+      row_put(out, in->sym[i]);
+  }
+}
+
+static void row_init(LsysRun *run, const uint8_t *given) {
+  grammar_settings(run);
+  run->value[LSYS_SETTING_STEPS] = 3;
+  if (!given[0]) run->value[ROW_R] = 0.5;
+}
+
+static const uint8_t row_axiom[] = {ROW_A, ROW_A};
+static const double row_arguments[] = {1, 2};
+static const LsysKind row_kinds[] = {
+  {"A", 1, 0, LSYS_KIND_KEY},
+  {"F", 1, LSYS_TURTLE_DRAW, LSYS_KIND_TERMINAL},
+  {"[", 0, LSYS_TURTLE_PUSH, LSYS_KIND_TERMINAL},
+  {"]", 0, LSYS_TURTLE_POP, LSYS_KIND_TERMINAL},
+};
+static const LsysAxiom row_axioms[] = {{.word = {.sym = row_axiom, .arg = row_arguments, .nsym = 2, .narg = 2}}};
+static const LsysParam row_params[] = {{"r", ROW_R, 0, 1, "0.5"}};
+
+static const LsysGrammar row = {
+  .abi_version = LSYS_ABI_VERSION,
+  .flags = LSYS_GRAMMAR_EXPAND | LSYS_GRAMMAR_RANDOM,
+  .name = "row",
+  .kind_count = 4,
+  .kinds = row_kinds,
+  .param_count = 1,
+  .params = row_params,
+  .axiom_count = 1,
+  .axioms = row_axioms,
+  .value_count = LSYS_SETTING_COUNT + 1,
+  .seed = 1,
+  .room_sym = 2,
+  .room_arg = 1,
+  .room_key = 1,
+  .frame_bytes = 160,
+  .init = row_init,
+  .expand = row_expand,
+};
+
+#endif
