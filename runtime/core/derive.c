@@ -3,6 +3,7 @@
 #include "core/derive.h"
 
 #include "core/message.h"
+#include "core/step.h"
 #include "core/stream.h"
 
 #include <errno.h>
@@ -192,6 +193,7 @@ typedef struct Task {
   unsigned pass;
   LsysWriter writer;
   LsysWord word;  // the start word, packed
+  LsysStepper stepper;
   bool well;
 } Task;
 
@@ -203,10 +205,7 @@ static bool derive(Task *task) {
   if (!grammar->derive) {
     if (!pack_axiom(task->worker, task->axiom, &task->word)) return false;
     if (run->steps == 0) return task->sink->take(task->sink, &task->word);
-    if (!grammar->expand) {
-      lsys_error("%s is not context-free: no engine of this program derives it", grammar->name);
-      return false;
-    }
+    if (!grammar->expand) return lsys_stepper_run(&task->stepper, task->worker, &task->word, task->sink);
   }
   if (!task->derivation->blocks && !(task->derivation->blocks = lsys_blocks_build(task->worker))) return false;
   if (!lsys_writer_open(&task->writer, task->worker, task->sink)) return false;
@@ -266,6 +265,7 @@ bool lsys_derivation_run(LsysDerivation *derivation, uint32_t axiom, LsysSink *s
   Task task = {.derivation = derivation, .worker = &derivation->worker, .sink = sink, .axiom = axiom, .pass = pass};
   bool well = run_on_stack(&task);
   if (task.writer.stream.run) lsys_writer_close(&task.writer);
+  lsys_stepper_close(&task.stepper);
   free_axiom(derivation->worker.memory, &task.word);
   return well;
 }

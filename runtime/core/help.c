@@ -1,30 +1,33 @@
 // help.c -- --help and --version, generated from the .def tables and the grammar's params.
-#include "lsys/help.h"
 #include "core/formats.h"
 #include "core/message.h"
-#include "lsys/operators.h"
 
 #include <math.h>
 #include <string.h>
 
 enum { LEFT_COLUMN = 26, WIDTH = 96 };
 
-void lsys_help_row(FILE *to, const char *left, const char *doc) {
+// Prints left, then doc wrapped at WIDTH in the right column.
+static void row(FILE *to, const char *left, const char *doc) {
   int column = fprintf(to, "  %s", left);
   if (column >= LEFT_COLUMN) {
     fputc('\n', to);
     column = 0;
   }
-  for (int first = column; *doc; first = 0) {
-    int length = (int)strlen(doc);
-    if (length > WIDTH - LEFT_COLUMN) {
-      length = WIDTH - LEFT_COLUMN;
-      while (length > 1 && doc[length] != ' ') length--;
+  fprintf(to, "%*s", LEFT_COLUMN - column, "");
+  column = LEFT_COLUMN;
+  while (*doc) {
+    int length = (int)strcspn(doc, " ");
+    if (column + length > WIDTH && column > LEFT_COLUMN) {
+      fprintf(to, "\n%*s", LEFT_COLUMN, "");
+      column = LEFT_COLUMN;
     }
-    fprintf(to, "%*s%.*s\n", LEFT_COLUMN - first, "", length, doc);
+    fprintf(to, "%.*s", length, doc);
+    column += length;
     doc += length;
-    while (*doc == ' ') doc++;
+    if (*doc) fputc(*doc++, to), column++;
   }
+  fputc('\n', to);
 }
 
 static void option_row(FILE *to, LsysOption option) {
@@ -38,7 +41,7 @@ static void option_row(FILE *to, LsysOption option) {
            : *argument ? " "
                        : "",
            argument, optional ? "]" : "");
-  lsys_help_row(to, left, info->doc);
+  row(to, left, info->doc);
 }
 
 static void option_rows(FILE *to) {
@@ -56,7 +59,7 @@ static void param_rows(FILE *to, const LsysGrammar *grammar) {
     int length = snprintf(doc, sizeof doc, "default %s", param->text ? param->text : "given in the grammar");
     if (length > 0 && length < (int)sizeof doc && (isfinite(param->low) || isfinite(param->high)))
       snprintf(doc + length, sizeof doc - (size_t)length, ", in %.17g..%.17g", param->low, param->high);
-    lsys_help_row(to, param->name, doc);
+    row(to, param->name, doc);
   }
 }
 
@@ -81,7 +84,7 @@ static void formats(FILE *to) {
       at += snprintf(at, 20, " .%.*s", length, suffix);
       suffix += length + (suffix[length] == ' ');
     }
-    lsys_help_row(to, left, lsys_formats[i].doc);
+    row(to, left, lsys_formats[i].doc);
   }
 }
 
@@ -93,13 +96,13 @@ static void turtle(FILE *to) {
     snprintf(left, sizeof left, info->most ? "%s(%s)" : "%s", info->symbol, info->unit);
     snprintf(doc, sizeof doc, *info->fallback ? "%s [%s] (default: %s)" : "%s [%s]", info->doc, info->source,
              info->fallback);
-    lsys_help_row(to, left, doc);
+    row(to, left, doc);
   }
 }
 
 static void functions(FILE *to) {
   fprintf(to, "Functions of expressions (angles in degrees)\n");
-  for (int i = 0; i < LSYS_FN_COUNT; i++) lsys_help_row(to, lsys_functions[i].name, lsys_functions[i].doc);
+  for (int i = 0; i < LSYS_FN_COUNT; i++) row(to, lsys_functions[i].name, lsys_functions[i].doc);
 }
 
 static void settings(FILE *to) {
@@ -108,39 +111,24 @@ static void settings(FILE *to) {
     const LsysSettingInfo *info = &lsys_settings[i];
     char doc[256];
     snprintf(doc, sizeof doc, isnan(info->value) ? "%s" : "%s (default: %g %s)", info->doc, info->value, info->unit);
-    lsys_help_row(to, info->keyword, doc);
+    row(to, info->keyword, doc);
   }
 }
 
-static void operators(FILE *to) {
-  fprintf(to, "Operators of expressions, those that bind loosest first; a ? b : c binds looser than all\n");
-#define BINARY(id, spelling, precedence, right, doc) lsys_help_row(to, "a " spelling " b", doc);
-#define UNARY(id, spelling, precedence, doc) lsys_help_row(to, spelling "a", doc);
-#include "lsys/operators.def"
-}
-
-bool lsys_help_subject(FILE *to, const char *subject) {
+bool lsys_help(FILE *to, const LsysGrammar *grammar, const char *subject) {
   static const struct {
     const char *name;
     void (*print)(FILE *to);
-  } subjects[] = {
-    {"formats", formats},     {"turtle", turtle},     {"functions", functions},
-    {"operators", operators}, {"settings", settings},
-  };
+  } subjects[] = {{"formats", formats}, {"turtle", turtle}, {"functions", functions}, {"settings", settings}};
+  if (!subject) {
+    usage(to, grammar);
+    return true;
+  }
   for (size_t i = 0; i < sizeof subjects / sizeof *subjects; i++) {
     if (strcmp(subjects[i].name, subject)) continue;
     subjects[i].print(to);
     return true;
   }
-  return false;
-}
-
-bool lsys_help(FILE *to, const LsysGrammar *grammar, const char *subject) {
-  if (subject && lsys_help_subject(to, subject)) return true;
-  if (!subject) {
-    usage(to, grammar);
-    return true;
-  }
-  lsys_error("there is no help on '%s'; there is on: formats, turtle, functions, operators, settings", subject);
+  lsys_error("there is no help on '%s'; there is on: formats, turtle, functions, settings", subject);
   return false;
 }

@@ -244,7 +244,8 @@ void scan_index(ScanIndex *index, const ScanTables *tables, LsysRun *run, LsysSe
   while (depth) *index->stack[--depth].skip = (LsysSkip){last->end, NULL, count - 1, (uint32_t)last->skip_count};
 }
 
-void scan_index_free(ScanIndex *index) {
+void scan_index_free(ScanIndex *index, LsysRun *run) {
+  lsys_charge(run, -(int64_t)(index->room * sizeof *index->skips + index->stack_room * sizeof *index->stack));
   free(index->skips);
   free(index->stack);
 }
@@ -288,7 +289,8 @@ void scan_start(LsysScan *scan, const ScanTables *tables, LsysRun *run, const Ls
   if (scan->ring) wrap_window(scan);
 }
 
-void scan_free(LsysScan *scan) {
+void scan_free(LsysScan *scan, LsysRun *run) {
+  lsys_charge(run, -(int64_t)level_bytes(scan, scan->level_room));
   free(scan->levels);
   free(scan->saved);
 }

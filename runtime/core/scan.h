@@ -28,11 +28,11 @@ typedef struct ScanIndex {
   size_t stack_room;
 } ScanIndex;
 void scan_index(ScanIndex *index, const ScanTables *tables, LsysRun *run, LsysSegment *segments, uint32_t count);
-void scan_index_free(ScanIndex *index);
+void scan_index_free(ScanIndex *index, LsysRun *run);
 
 // A scan at the beginning of the word. left has room for the grammar's window.
 void scan_start(LsysScan *scan, const ScanTables *tables, LsysRun *run, const LsysSegment *segments, uint32_t count,
                 LsysNeighbour *left);
-void scan_free(LsysScan *scan);
+void scan_free(LsysScan *scan, LsysRun *run);
 
 #endif

@@ -1,0 +1,28 @@
+// step.h -- the step engine's driver: word after word in memory, each written
+// by the grammar's `step` from the one before.
+#ifndef LSYS_CORE_STEP_H
+#define LSYS_CORE_STEP_H
+
+#include "core/scan.h"
+#include "core/store.h"
+#include "core/stream.h"
+
+typedef struct LsysStepper {
+  LsysWorker *worker;
+  ScanTables tables;
+  ScanIndex index;
+  LsysScan scan;
+  LsysNeighbour *left;
+  LsysStore words[2];  // take turns: one is read while the other one is written
+  LsysWriter writer;   // its sink is the store that is written
+} LsysStepper;
+
+// Derives the packed word by the worker's number of steps; the last word flows
+// into the sink as it is written. False after printing why it stopped; a run that
+// stops inside of a step goes to worker->stop. Close it in either case.
+bool lsys_stepper_run(LsysStepper *stepper, LsysWorker *worker, const LsysWord *axiom, LsysSink *sink);
+
+// Releases what a stepper holds; one that is all zeros holds nothing.
+void lsys_stepper_close(LsysStepper *stepper);
+
+#endif
