@@ -3,7 +3,8 @@
 //
 // A driver calls begin once per start word and pass, take for each part of
 // the word in order, end behind the last part. A sink with two passes gets the
-// same word twice (the first time to measure, the second to draw).
+// same words twice: the first pass over all start words comes before the second
+// (the first to measure, the second to draw them on one page).
 #ifndef LSYS_SINKS_SINK_H
 #define LSYS_SINKS_SINK_H
 

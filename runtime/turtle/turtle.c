@@ -170,7 +170,7 @@ static bool set_up(LsysTurtle *t) {
   return true;
 }
 
-LsysTurtle *lsys_turtle_create(const LsysRun *run, LsysGeometry *to) {
+LsysTurtle *lsys_turtle_create(const LsysRun *run) {
   LsysTurtle *t = aligned_alloc(_Alignof(LsysTurtle), sizeof *t);
   if (!t) {
     out_of_memory();
@@ -178,12 +178,10 @@ LsysTurtle *lsys_turtle_create(const LsysRun *run, LsysGeometry *to) {
   }
   memset(t, 0, sizeof *t);
   t->run = run;
-  t->to = to;
   if (!set_up(t)) {
     lsys_turtle_destroy(t);
     return NULL;
   }
-  lsys_turtle_begin(t, 0);
   return t;
 }
 
@@ -206,7 +204,8 @@ bool lsys_turtle_flat(const LsysTurtle *t) {
 
 // ---- reading -------------------------------------------------------------
 
-void lsys_turtle_begin(LsysTurtle *t, uint32_t axiom) {
+void lsys_turtle_begin(LsysTurtle *t, uint32_t axiom, LsysGeometry *to) {
+  t->to = to;
   t->state = t->start;
   t->axiom = axiom;
   t->read = 0;

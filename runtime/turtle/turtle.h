@@ -9,19 +9,19 @@
 
 typedef struct LsysTurtle LsysTurtle;
 
-// A turtle that draws words of the run's grammar to `to`; both must outlive it.
-// run->value is read here, so it must be initialised. NULL after printing why.
-LsysTurtle *lsys_turtle_create(const LsysRun *run, LsysGeometry *to);
+// A turtle for words of the run's grammar, which must outlive it. run->value is
+// read here, so it must be initialised. NULL after printing why.
+LsysTurtle *lsys_turtle_create(const LsysRun *run);
 void lsys_turtle_destroy(LsysTurtle *turtle);
 
 // True if no symbol of the grammar leaves the plane of the page: every z is 0.
 bool lsys_turtle_flat(const LsysTurtle *turtle);
 
-// Starts the word of an axiom: the turtle stands at the origin, its state as the settings say.
-void lsys_turtle_begin(LsysTurtle *turtle, uint32_t axiom);
+// Starts the word of an axiom, drawn to `to`: the turtle stands at the origin, its state as the settings say.
+void lsys_turtle_begin(LsysTurtle *turtle, uint32_t axiom, LsysGeometry *to);
 
 // Draws the next part of the word. False if the geometry wants to stop or memory ran out (printed).
-// Odd words have a defined result and one warning each: `]` without `[` and `}` without `{` do nothing,
+// Odd words have a defined result and one warning a turtle: `]` without `[` and `}` without `{` do nothing,
 // a module with an argument that is nan or infinite does nothing, a negative width is 0.
 bool lsys_turtle_take(LsysTurtle *turtle, const LsysWord *part);
 

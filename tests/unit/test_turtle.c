@@ -1,6 +1,7 @@
 // test_turtle.c -- the turtle by geometry: end points, boxes and numbers of
 // segments of words that are packed here by hand.
 #include "lsys/abi.h"
+#include "sample.h"
 #include "turtle/measure.h"
 #include "turtle/turtle.h"
 
@@ -13,71 +14,12 @@
 
 #include <cmocka.h>
 
-// A grammar without productions, a run and a word of it, made from text: modules with at most
-// two arguments, F(1,2) or @s(2); every pair of symbol and number of arguments is a kind.
-typedef struct Sample {
-  LsysKind kind[64];
-  char name[64][3];
-  LsysGrammar grammar;
-  LsysRun run;
-  double value[LSYS_SETTING_COUNT];
-  uint8_t *sym;
-  double *arg;
-  LsysWord word;
-} Sample;
-
-static uint8_t kind_of(Sample *s, const char *symbol, uint16_t arity) {
-  uint32_t i = 0;
-  while (i < s->grammar.kind_count && !(strcmp(s->name[i], symbol) == 0 && s->kind[i].arity == arity)) i++;
-  if (i == s->grammar.kind_count) {
-    s->grammar.kind_count++;
-    strcpy(s->name[i], symbol);
-    s->kind[i] = (LsysKind){.symbol = s->name[i], .arity = arity, .turtle = (uint8_t)lsys_turtle_op(s->name[i])};
-  }
-  return (uint8_t)i;
-}
-
-static void sample_word(Sample *s, const char *text) {
-  size_t n = 0, a = 0;
-  s->sym = malloc(strlen(text) + 1);
-  s->arg = malloc((strlen(text) + 1) * sizeof *s->arg);
-  while (*text) {
-    char symbol[3] = {*text++};
-    if (*symbol == '@') symbol[1] = *text++;
-    uint16_t arity = 0;
-    while (*text == (arity ? ',' : '(')) {
-      char *end;
-      s->arg[a++] = strtod(text + 1, &end);
-      text = end;
-      arity++;
-    }
-    if (arity) text++;
-    s->sym[n++] = kind_of(s, symbol, arity);
-  }
-  s->word = (LsysWord){.sym = s->sym, .arg = s->arg, .nsym = n, .narg = a};
-}
-
-static Sample *sample(const char *text, double angle) {
-  Sample *s = calloc(1, sizeof *s);
-  s->grammar = (LsysGrammar){.name = "test", .kinds = s->kind};
-  s->run = (LsysRun){.grammar = &s->grammar, .value = s->value};
-  for (int i = 0; i < LSYS_SETTING_COUNT; i++) s->value[i] = lsys_settings[i].value;
-  s->value[LSYS_SETTING_ANGLE] = angle;
-  sample_word(s, text);
-  return s;
-}
-
-static void release(Sample *s) {
-  free(s->sym);
-  free(s->arg);
-  free(s);
-}
-
 // Draws the word in parts of at most `part` modules; only for words without arguments if part is finite.
 static LsysVec3 draw(Sample *s, LsysMeasure *m, uint64_t part) {
   lsys_measure_begin(m, true);
-  LsysTurtle *t = lsys_turtle_create(&s->run, &m->geometry);
+  LsysTurtle *t = lsys_turtle_create(&s->run);
   assert_non_null(t);
+  lsys_turtle_begin(t, 0, &m->geometry);
   for (uint64_t i = 0; i < s->word.nsym; i += part) {
     uint64_t n = s->word.nsym - i < part ? s->word.nsym - i : part;
     LsysWord piece = {.sym = s->sym + i, .arg = s->arg, .nsym = n, .narg = s->word.narg};
@@ -92,7 +34,7 @@ static LsysVec3 draw(Sample *s, LsysMeasure *m, uint64_t part) {
 static LsysVec3 draw_text(const char *text, double angle, LsysMeasure *m) {
   Sample *s = sample(text, angle);
   LsysVec3 end = draw(s, m, UINT64_MAX);
-  release(s);
+  sample_release(s);
   return end;
 }
 
@@ -162,7 +104,7 @@ static void takes_settings(void **state) {
   s->value[LSYS_SETTING_TURNS] = 1;
   s->value[LSYS_SETTING_HEADING] = 0;
   assert_at(draw(s, &m, UINT64_MAX), 0.1, -0.1, 0);
-  release(s);
+  sample_release(s);
 }
 
 static void brackets_return(void **state) {
@@ -198,7 +140,7 @@ static void check_curve(const char *axiom, const char *const *rules, double angl
     assert_true(fabs(m.high.x - m.low.x - size.x) < 1e-9 && fabs(m.high.y - m.low.y - size.y) < 1e-9);
     assert_true(fabs(m.length - (double)segments) < 1e-6);
   }
-  release(s);
+  sample_release(s);
   free(word);
 }
 
@@ -217,20 +159,22 @@ static void does_not_drift(void **state) {
   (void)state;
   LsysMeasure m;
   Sample *s = sample("+", 25.7);
-  LsysTurtle *t = (lsys_measure_begin(&m, false), lsys_turtle_create(&s->run, &m.geometry));
+  lsys_measure_begin(&m, false);
+  LsysTurtle *t = lsys_turtle_create(&s->run);
+  lsys_turtle_begin(t, 0, &m.geometry);
   enum { N = 3600 };
   uint8_t many[N];
   memset(many, s->sym[0], N);
   for (int i = 0; i < 3000; i++) assert_true(lsys_turtle_take(t, &(LsysWord){.sym = many, .nsym = N}));
   lsys_turtle_destroy(t);
-  release(s);
+  sample_release(s);
   s = sample("F+", 25.7);
   char *round = malloc(2 * N + 1);
   for (int i = 0; i < N; i++) memcpy(round + 2 * i, "F+", 3);
   LsysVec3 end = draw_text(round, 25.7, &m);
   assert_true(fabs(end.x) < 1e-10 && fabs(end.y) < 1e-10);
   free(round);
-  release(s);
+  sample_release(s);
 }
 
 static void odd_words_have_a_result(void **state) {

@@ -1,0 +1,63 @@
+// picture.h -- figures on a page: a sink that measures the word's figures in a
+// first pass, fits them side by side to a page, and draws them in a second one
+// to a canvas (SVG, PNG) that knows pixels only.
+#ifndef LSYS_SINKS_PICTURE_H
+#define LSYS_SINKS_PICTURE_H
+
+#include "sinks/sink.h"
+
+#include <stddef.h>
+
+typedef struct LsysPictureOptions {
+  uint32_t width, height;  // of the page in pixels; 0: the longer side 1000, the other as the figure asks
+  double line_width;       // pixels of a width of 1; nan: chosen so that the figure looks well
+  uint32_t background;     // 0xRRGGBB
+  bool transparent;        // no background
+  bool antialias;
+} LsysPictureOptions;
+
+// 1000 pixels, white, anti-aliased.
+extern const LsysPictureOptions lsys_picture_defaults;
+
+// A place on the page in pixels: x to the right, y down.
+typedef struct LsysPoint {
+  double x, y;
+} LsysPoint;
+
+typedef struct LsysPage {
+  uint32_t width, height;
+  uint32_t background;
+  bool transparent, antialias;
+  double detail;  // mean length of a segment in pixels
+} LsysPage;
+
+typedef struct LsysInk {
+  double width;  // in pixels, > 0
+  uint32_t rgb;
+} LsysInk;
+
+typedef struct LsysCanvas LsysCanvas;
+
+// What a picture format does. Each returns false to stop after printing an error.
+struct LsysCanvas {
+  bool (*open)(LsysCanvas *canvas, const LsysPage *page);
+  // count >= 2 connected points. joined: they go on from the last point of the line before.
+  bool (*line)(LsysCanvas *canvas, const LsysPoint *point, size_t count, const LsysInk *ink, bool joined);
+  // A filled polygon, non-zero winding.
+  bool (*fill)(LsysCanvas *canvas, const LsysPoint *point, size_t count, uint32_t rgb);
+  bool (*close)(LsysCanvas *canvas);
+  void (*destroy)(LsysCanvas *canvas);
+};
+
+// A sink of two passes that draws to canvas and destroys it in the end. NULL after printing why.
+LsysSink *lsys_picture_create(LsysCanvas *canvas, const LsysPictureOptions *options);
+
+// palette.c: the colour of an index, 0xRRGGBB.
+uint32_t lsys_palette(uint8_t index);
+
+// Sinks over an output; the output is not committed. NULL after printing why.
+struct LsysOut;
+LsysSink *lsys_svg_create(struct LsysOut *out, const LsysPictureOptions *options);
+LsysSink *lsys_png_create(struct LsysOut *out, const LsysPictureOptions *options);
+
+#endif

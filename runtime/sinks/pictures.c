@@ -1,0 +1,108 @@
+// pictures.c -- the picture formats as the command line asks for them: options
+// to LsysPictureOptions.
+#include "core/formats.h"
+#include "core/message.h"
+#include "sinks/picture.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_PIXELS = 65535 };
+
+static bool read_side(const char **text, uint32_t *side) {
+  char *end;
+  unsigned long value = strtoul(*text, &end, 10);
+  if (end == *text || value < 1 || value > MOST_PIXELS) return false;
+  *side = (uint32_t)value;
+  *text = end;
+  return true;
+}
+
+// "800x600", or "800": a square.
+static bool read_size(const LsysOptionValue *value, LsysPictureOptions *options) {
+  if (!value->given) return true;
+  const char *at = value->text;
+  bool well = *at != '-' && read_side(&at, &options->width);
+  options->height = options->width;
+  if (well && (*at == 'x' || *at == 'X')) {
+    at++;
+    well = *at != '-' && read_side(&at, &options->height);
+  }
+  if (well && *at == 0) return true;
+  lsys_error("--size %s: a size is WIDTHxHEIGHT in pixels, from 1 to %d", value->text, MOST_PIXELS);
+  return false;
+}
+
+typedef struct NamedColour {
+  const char *name;
+  uint32_t rgb;
+} NamedColour;
+
+static const NamedColour named[] = {
+  {"white", 0xffffff}, {"black", 0x000000}, {"grey", 0x808080},  {"gray", 0x808080}, {"paper", 0xfbf7ec},
+  {"night", 0x10141c}, {"red", 0xc23b22},   {"green", 0x2e8b3d}, {"blue", 0x2d6cb5}, {"yellow", 0xf4d35e},
+};
+
+// "#rrggbb", "#rgb" or a name.
+static bool read_colour(const char *text, uint32_t *rgb) {
+  for (size_t i = 0; i < sizeof named / sizeof *named; i++) {
+    if (strcmp(named[i].name, text) == 0) {
+      *rgb = named[i].rgb;
+      return true;
+    }
+  }
+  if (*text == '#') text++;
+  size_t length = strspn(text, "0123456789abcdefABCDEF");
+  if (text[length] || (length != 6 && length != 3)) return false;
+  uint32_t value = (uint32_t)strtoul(text, NULL, 16);
+  *rgb = length == 6 ? value : (value & 0xf00) * 0x1100 | (value & 0xf0) * 0x110 | (value & 0xf) * 0x11;
+  return true;
+}
+
+static bool read_background(const LsysOptionValue *value, LsysPictureOptions *options) {
+  if (!value->given) return true;
+  options->transparent = strcmp(value->text, "transparent") == 0;
+  if (options->transparent || read_colour(value->text, &options->background)) return true;
+  lsys_error("--background %s: a colour is #rrggbb, white, black, paper, night, grey, red, green, blue, yellow, or "
+             "transparent",
+             value->text);
+  return false;
+}
+
+static bool read_antialias(const LsysOptionValue *value, LsysPictureOptions *options) {
+  if (!value->given) return true;
+  bool on = strcmp(value->text, "on") == 0;
+  if (!on && strcmp(value->text, "off")) {
+    lsys_error("--antialias %s: it is on or off", value->text);
+    return false;
+  }
+  options->antialias = on;
+  return true;
+}
+
+static bool read_line_width(const LsysOptionValue *value, LsysPictureOptions *options) {
+  if (!value->given) return true;
+  options->line_width = value->real;
+  if (value->real > 0 && isfinite(value->real)) return true;
+  lsys_error("--line-width %s: it is the width in pixels of a line of width 1, more than 0", value->text);
+  return false;
+}
+
+static bool read_options(const LsysOptions *given, LsysPictureOptions *options) {
+  *options = lsys_picture_defaults;
+  return read_size(&given->at[LSYS_OPTION_PAGE_SIZE], options)
+      && read_background(&given->at[LSYS_OPTION_BACKGROUND], options)
+      && read_antialias(&given->at[LSYS_OPTION_ANTIALIAS], options)
+      && read_line_width(&given->at[LSYS_OPTION_LINE_WIDTH], options);
+}
+
+LsysSink *lsys_sink_svg(const LsysSinkContext *context) {
+  LsysPictureOptions options;
+  return read_options(context->options, &options) ? lsys_svg_create(context->out, &options) : NULL;
+}
+
+LsysSink *lsys_sink_png(const LsysSinkContext *context) {
+  LsysPictureOptions options;
+  return read_options(context->options, &options) ? lsys_png_create(context->out, &options) : NULL;
+}

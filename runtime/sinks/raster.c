@@ -1,0 +1,264 @@
+// raster.c -- lines and polygons to pixels, by exact coverage along one axis:
+// a line covers a pixel by how much of the pixel's width lies within half the
+// line's width of its axis; a polygon by horizontal spans on quarter rows.
+#include "sinks/raster.h"
+
+#include "core/message.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SUBROWS = 4 };
+
+typedef struct Pixel {
+  uint32_t base;  // 0xAARRGGBB, not premultiplied
+  uint32_t top;   // 0xCCRRGGBB, CC: how much of the pixel it covers
+} Pixel;
+
+// An edge of a polygon that is being filled, from y0 to y1 > y0 downwards.
+typedef struct Edge {
+  double y0, y1, x, slope;
+  int winding;
+} Edge;
+
+typedef struct Crossing {
+  double x;
+  int winding;
+} Crossing;
+
+struct Raster {
+  int width, height;
+  bool antialias;
+  Edge *edge;
+  Crossing *crossing;
+  size_t edge_room;
+  float *cover;  // of one row of a fill
+  Pixel pixel[];
+};
+
+Raster *raster_create(const LsysPage *page) {
+  size_t pixels, bytes;
+  Raster *r = NULL;
+  if (!__builtin_mul_overflow((size_t)page->width, page->height, &pixels)
+      && !__builtin_mul_overflow(pixels, sizeof *r->pixel, &bytes) && bytes < SIZE_MAX - sizeof *r)
+    r = malloc(sizeof *r + bytes);
+  float *cover = calloc((size_t)page->width + 2, sizeof *cover);
+  if (!r || !cover || page->width > 1 << 20 || page->height > 1 << 20) {
+    free(r);
+    free(cover);
+    lsys_error("a picture of %ux%u pixels does not fit into memory", page->width, page->height);
+    return NULL;
+  }
+  *r = (Raster){.width = (int)page->width, .height = (int)page->height, .antialias = page->antialias, .cover = cover};
+  uint32_t base = page->background | (page->transparent ? 0 : 0xff000000u);
+  for (size_t i = 0; i < pixels; i++) r->pixel[i] = (Pixel){base, 0};
+  return r;
+}
+
+void raster_destroy(Raster *r) {
+  if (!r) return;
+  free(r->edge);
+  free(r->crossing);
+  free(r->cover);
+  free(r);
+}
+
+// ---- pixels --------------------------------------------------------------
+
+// Top over base (Porter and Duff 1984), alpha in 0..255.
+static uint32_t merge(uint32_t base, uint32_t top) {
+  uint32_t a = top >> 24, b = base >> 24, rest = b * (255 - a), all = a * 255 + rest;
+  if (!all) return base;
+  uint32_t out = (all + 127) / 255 << 24;
+  for (int shift = 0; shift < 24; shift += 8) {
+    uint32_t t = top >> shift & 255, u = base >> shift & 255;
+    out |= (t * a * 255 + u * rest + all / 2) / all << shift;
+  }
+  return out;
+}
+
+// The pixel's top layer in this colour: merges what is there if it has another one.
+static inline uint32_t covered(Pixel *p, uint32_t rgb) {
+  if ((p->top & 0xffffff) != rgb) {
+    if (p->top >> 24) p->base = merge(p->base, p->top);
+    p->top = rgb;
+  }
+  return p->top >> 24;
+}
+
+static inline uint32_t to_byte(const Raster *r, float cover) {
+  if (!r->antialias) return cover >= 0.5f ? 255 : 0;
+  return (uint32_t)(fminf(cover, 1) * 255 + 0.5f);
+}
+
+void raster_row(const Raster *r, uint32_t y, uint8_t *rgba) {
+  const Pixel *p = r->pixel + (size_t)y * (size_t)r->width;
+  for (int x = 0; x < r->width; x++) {
+    uint32_t c = p[x].top >> 24 ? merge(p[x].base, p[x].top) : p[x].base;
+    rgba[4 * x] = (uint8_t)(c >> 16);
+    rgba[4 * x + 1] = (uint8_t)(c >> 8);
+    rgba[4 * x + 2] = (uint8_t)c;
+    rgba[4 * x + 3] = (uint8_t)(c >> 24);
+  }
+}
+
+// ---- lines ---------------------------------------------------------------
+
+// Where the pixels whose centres a capsule can touch begin and end on a row; centre lines at y.
+typedef struct Span {
+  int from, to;
+} Span;
+
+static int clamp(double x, int low, int high) {
+  return x < low ? low : x > high ? high : (int)x;
+}
+
+// Between the two parallels at distance `reach` of the axis, and within its box.
+static Span line_span(const Raster *r, const LsysPoint *a, const LsysPoint *b, double y, double reach) {
+  double left = fmin(a->x, b->x) - reach, right = fmax(a->x, b->x) + reach;
+  double dx = b->x - a->x, dy = b->y - a->y;
+  if (fabs(dy) > 1e-9) {
+    double middle = a->x + (y - a->y) * dx / dy, half = reach * sqrt(dx * dx + dy * dy) / fabs(dy);
+    left = fmax(left, middle - half);
+    right = fmin(right, middle + half);
+  }
+  return (Span){clamp(floor(left - 0.5) + 1, 0, r->width), clamp(floor(right - 0.5) + 1, 0, r->width)};
+}
+
+static void segment(Raster *r, const LsysPoint *a, const LsysPoint *b, double width, uint32_t rgb) {
+  const double half = width / 2, reach = half + 0.5;
+  const float dx = (float)(b->x - a->x), dy = (float)(b->y - a->y), squared = dx * dx + dy * dy;
+  const float inverse = squared > 0 ? 1 / squared : 0, radius = (float)half;
+  int top = clamp(floor(fmin(a->y, b->y) - reach - 0.5) + 1, 0, r->height);
+  int bottom = clamp(floor(fmax(a->y, b->y) + reach - 0.5) + 1, 0, r->height);
+  for (int y = top; y < bottom; y++) {
+    Span span = line_span(r, a, b, y + 0.5, reach);
+    Pixel *p = r->pixel + (size_t)y * (size_t)r->width;
+    float py = (float)(y + 0.5 - a->y), px = (float)(span.from + 0.5 - a->x);
+    for (int x = span.from; x < span.to; x++, px += 1) {
+      float along = fminf(fmaxf((px * dx + py * dy) * inverse, 0), 1);
+      float ex = px - along * dx, ey = py - along * dy, distance = sqrtf(ex * ex + ey * ey);
+      float cover = fminf(distance + 0.5f, radius) - fmaxf(distance - 0.5f, -radius);
+      if (cover <= 0) continue;
+      uint32_t part = to_byte(r, cover);
+      if (part > covered(&p[x], rgb)) p[x].top = part << 24 | rgb;
+    }
+  }
+}
+
+void raster_line(Raster *r, const LsysPoint *point, size_t count, double width, uint32_t rgb) {
+  // Without anti-aliasing a thinner line would have gaps.
+  if (!r->antialias) width = fmax(width, 1);
+  for (size_t i = 1; i < count; i++) segment(r, &point[i - 1], &point[i], width, rgb);
+}
+
+// ---- polygons ------------------------------------------------------------
+
+static int by_top(const void *a, const void *b) {
+  const Edge *e = a, *f = b;
+  return (e->y0 > f->y0) - (e->y0 < f->y0);
+}
+
+static size_t make_edges(Raster *r, const LsysPoint *point, size_t count) {
+  size_t edges = 0;
+  for (size_t i = 0; i < count; i++) {
+    const LsysPoint *a = &point[i], *b = &point[i + 1 < count ? i + 1 : 0];
+    if (a->y == b->y) continue;
+    const LsysPoint *up = a->y < b->y ? a : b, *down = up == a ? b : a;
+    r->edge[edges++] = (Edge){up->y, down->y, up->x, (down->x - up->x) / (down->y - up->y), up == a ? 1 : -1};
+  }
+  qsort(r->edge, edges, sizeof *r->edge, by_top);
+  return edges;
+}
+
+// Adds a span of one subrow to the cover of its row, pixels at the ends in part.
+static void add_span(const Raster *r, double from, double to) {
+  const float weight = 1.0f / SUBROWS;
+  from = fmax(from, 0);
+  to = fmin(to, r->width);
+  if (from >= to) return;
+  int first = (int)from, last = (int)to;
+  if (first == last) {
+    r->cover[first] += weight * (float)(to - from);
+    return;
+  }
+  r->cover[first] += weight * (float)(first + 1 - from);
+  for (int x = first + 1; x < last; x++) r->cover[x] += weight;
+  r->cover[last] += weight * (float)(to - last);
+}
+
+static size_t sorted_crossings(const Raster *r, size_t active, double y) {
+  size_t n = 0;
+  for (size_t i = 0; i < active; i++) {
+    const Edge *e = &r->edge[i];
+    if (y < e->y0 || y >= e->y1) continue;
+    Crossing c = {e->x + (y - e->y0) * e->slope, e->winding};
+    size_t at = n++;
+    for (; at && r->crossing[at - 1].x > c.x; at--) r->crossing[at] = r->crossing[at - 1];
+    r->crossing[at] = c;
+  }
+  return n;
+}
+
+static void fill_subrow(const Raster *r, size_t active, double y) {
+  size_t n = sorted_crossings(r, active, y);
+  int winding = 0;
+  for (size_t i = 0; i + 1 < n; i++) {
+    winding += r->crossing[i].winding;
+    if (winding) add_span(r, r->crossing[i].x, r->crossing[i + 1].x);
+  }
+}
+
+// Neighbouring polygons of one colour share their edges' pixels: their parts add up.
+static void paint_row(Raster *r, int y, uint32_t rgb) {
+  Pixel *p = r->pixel + (size_t)y * (size_t)r->width;
+  for (int x = 0; x < r->width; x++) {
+    if (r->cover[x] <= 0) continue;
+    uint32_t part = to_byte(r, r->cover[x]);
+    r->cover[x] = 0;
+    if (!part) continue;
+    uint32_t both = covered(&p[x], rgb) + part;
+    p[x].top = (both > 255 ? 255 : both) << 24 | rgb;
+  }
+  r->cover[r->width] = 0;
+}
+
+// Edges whose lower end is above y move behind the active ones that are kept.
+static size_t drop_passed(Raster *r, size_t active, double y) {
+  size_t kept = 0;
+  for (size_t i = 0; i < active; i++) {
+    if (r->edge[i].y1 > y) {
+      Edge e = r->edge[i];
+      r->edge[kept++] = e;
+    }
+  }
+  return kept;
+}
+
+bool raster_fill(Raster *r, const LsysPoint *point, size_t count, uint32_t rgb) {
+  if (count > r->edge_room) {
+    free(r->edge);
+    free(r->crossing);
+    r->edge = calloc(count, sizeof *r->edge);
+    r->crossing = calloc(count, sizeof *r->crossing);
+    r->edge_room = r->edge && r->crossing ? count : 0;
+    if (!r->edge_room) {
+      lsys_error("out of memory for a polygon of %zu vertices", count);
+      return false;
+    }
+  }
+  size_t edges = make_edges(r, point, count);
+  if (!edges) return true;
+  double last = r->edge[0].y1;
+  for (size_t i = 1; i < edges; i++) last = fmax(last, r->edge[i].y1);
+  int top = clamp(floor(r->edge[0].y0), 0, r->height), bottom = clamp(ceil(last), 0, r->height);
+  size_t next = 0, active = 0;  // edge[0..active) are crossed now, edge[next..) come later
+  for (int y = top; y < bottom; y++) {
+    active = drop_passed(r, active, y);
+    while (next < edges && r->edge[next].y0 < y + 1) r->edge[active++] = r->edge[next++];
+    for (int k = 0; k < SUBROWS; k++) fill_subrow(r, active, y + (k + 0.5) / SUBROWS);
+    paint_row(r, y, rgb);
+  }
+  return true;
+}

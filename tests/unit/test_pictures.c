@@ -1,0 +1,171 @@
+// test_pictures.c -- SVG and PNG files of hand-packed words, read back: numbers
+// in the path data, pixels on and beside lines.
+#include "core/out.h"
+#include "sample.h"
+#include "sinks/picture.h"
+
+#include <math.h>
+#include <png.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+typedef LsysSink *Create(LsysOut *out, const LsysPictureOptions *options);
+
+static const char *const PATH = "test_pictures.out";
+
+static bool draw(Sample *s, Create *create, const LsysPictureOptions *options) {
+  LsysOut *out = lsys_out_open(PATH);
+  LsysSink *sink = create(out, options);
+  bool well = true;
+  for (unsigned pass = 0; well && pass < sink->passes; pass++)
+    for (uint32_t axiom = 0; well && axiom < s->grammar.axiom_count; axiom++)
+      well = sink->begin(sink, &s->run, axiom, pass) && sink->take(sink, &s->word) && sink->end(sink);
+  well = well && sink->finish(sink);
+  sink->destroy(sink);
+  if (well) return lsys_out_commit(out);
+  lsys_out_abandon(out);
+  return false;
+}
+
+static char *svg_of(const char *word, double angle, uint32_t axioms, const LsysPictureOptions *options) {
+  Sample *s = sample(word, angle);
+  s->grammar.axiom_count = axioms;
+  assert_true(draw(s, lsys_svg_create, options));
+  sample_release(s);
+  FILE *file = fopen(PATH, "r");
+  char *text = calloc(1, 1 << 16);
+  assert_true(fread(text, 1, 65535, file) > 0);
+  fclose(file);
+  unlink(PATH);
+  return text;
+}
+
+static void assert_holds(const char *text, const char *part) {
+  if (!strstr(text, part)) fail_msg("no %s in\n%s", part, text);
+}
+
+static void svg_fits_the_page(void **state) {
+  (void)state;
+  char *text = svg_of("F-F-F-F", 90, 1, &lsys_picture_defaults);
+  assert_holds(text, "viewBox=\"0 0 1000 1000\"");
+  assert_holds(text, "<path d=\"M40 960v-920h920v920h-920\"/>");
+  free(text);
+}
+
+static void svg_joins_and_groups(void **state) {
+  (void)state;
+  LsysPictureOptions options = lsys_picture_defaults;
+  options.width = options.height = 100;
+  options.line_width = 2;
+  char *text = svg_of("F[;F]F[+F]!(3)F", 90, 1, &options);
+  // The second F goes on from the first one in another group, since the branch between them has another colour.
+  assert_holds(text, "stroke-width=\"2\">\n<path d=\"M65.33 96v-30.67\"/>\n</g>");
+  assert_holds(text, "stroke-width=\"6\"");
+  free(text);
+}
+
+static void figures_stand_side_by_side(void **state) {
+  (void)state;
+  char *text = svg_of("F", 90, 2, &lsys_picture_defaults);
+  assert_holds(text, "viewBox=\"0 0 154 1000\"");
+  assert_holds(text, "M40.2 960v-920m73.6 920v-920");
+  free(text);
+}
+
+static void polygons_are_filled(void **state) {
+  (void)state;
+  char *text = svg_of("{f-f-f-f}", 90, 1, &lsys_picture_defaults);
+  assert_holds(text, "d=\"M40 960v-920h920v920h-920z\"");
+  free(text);
+}
+
+static void nothing_and_too_much(void **state) {
+  (void)state;
+  free(svg_of("AB", 90, 1, &lsys_picture_defaults));
+  Sample *s = sample("F(1e308)F(1e308)", 90);
+  assert_false(draw(s, lsys_svg_create, &lsys_picture_defaults));
+  assert_int_equal(access(PATH, F_OK), -1);
+  sample_release(s);
+}
+
+// Pixels of the PNG that a word gives, RGBA; to be freed.
+static uint8_t *png_of(const char *word, double angle, const LsysPictureOptions *options) {
+  Sample *s = sample(word, angle);
+  assert_true(draw(s, lsys_png_create, options));
+  sample_release(s);
+  png_image image = {.version = PNG_IMAGE_VERSION};
+  assert_true(png_image_begin_read_from_file(&image, PATH));
+  assert_int_equal(image.width, options->width);
+  assert_int_equal(image.height, options->height);
+  image.format = PNG_FORMAT_RGBA;
+  uint8_t *pixels = malloc(PNG_IMAGE_SIZE(image));
+  assert_true(png_image_finish_read(&image, NULL, pixels, 0, NULL));
+  unlink(PATH);
+  return pixels;
+}
+
+static uint32_t pixel(const uint8_t *pixels, uint32_t width, uint32_t x, uint32_t y) {
+  const uint8_t *p = pixels + 4 * (y * width + x);
+  return (uint32_t)p[0] << 24 | p[1] << 16 | p[2] << 8 | p[3];
+}
+
+static void png_covers_lines(void **state) {
+  (void)state;
+  LsysPictureOptions options = lsys_picture_defaults;
+  options.width = 51;
+  options.height = 100;
+  options.line_width = 5;
+  uint8_t *p = png_of("F", 90, &options);
+  uint32_t ink = lsys_palette(0) << 8 | 0xff;
+  for (uint32_t y = 10; y < 90; y++) {
+    assert_int_equal(pixel(p, 51, 25, y), ink);
+    assert_int_equal(pixel(p, 51, 23, y), ink);
+    assert_int_equal(pixel(p, 51, 22, y), 0xffffffff);
+  }
+  free(p);
+  options.transparent = true;
+  p = png_of("F", 90, &options);
+  assert_int_equal(pixel(p, 51, 25, 50), ink);
+  assert_int_equal(pixel(p, 51, 1, 50) & 0xff, 0);
+  free(p);
+}
+
+// Half a pixel of ink makes half a shade, and drawing it twice does not darken it.
+static void png_smooths_edges(void **state) {
+  (void)state;
+  LsysPictureOptions options = lsys_picture_defaults;
+  options.width = 51;
+  options.height = 100;
+  options.line_width = 6;
+  uint8_t *p = png_of("F|F", 90, &options);
+  uint32_t ink = lsys_palette(0) >> 16, edge = pixel(p, 51, 22, 50) >> 24;
+  assert_true(abs((int)edge - (int)(255 + ink) / 2) <= 1);
+  free(p);
+}
+
+static void png_fills_polygons(void **state) {
+  (void)state;
+  LsysPictureOptions options = lsys_picture_defaults;
+  options.width = options.height = 100;
+  uint8_t *p = png_of("{f-f-f-f}", 90, &options);
+  uint32_t ink = lsys_palette(0) << 8 | 0xff;
+  assert_int_equal(pixel(p, 100, 5, 5), ink);
+  assert_int_equal(pixel(p, 100, 94, 94), ink);
+  assert_int_equal(pixel(p, 100, 50, 3), 0xffffffff);
+  assert_int_equal(pixel(p, 100, 3, 50), 0xffffffff);
+  free(p);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(svg_fits_the_page),   cmocka_unit_test(svg_joins_and_groups),
+    cmocka_unit_test(polygons_are_filled), cmocka_unit_test(figures_stand_side_by_side),
+    cmocka_unit_test(png_covers_lines),    cmocka_unit_test(nothing_and_too_much),
+    cmocka_unit_test(png_smooths_edges),   cmocka_unit_test(png_fills_polygons),
+  };
+  return cmocka_run_group_tests_name("pictures", tests, NULL, NULL);
+}
