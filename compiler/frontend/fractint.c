@@ -116,6 +116,35 @@ static Systems find_systems(Arena *arena, const SourceFile *file) {
   return systems;
 }
 
+// A line that begins with a keyword which no other notation writes without a colon.
+static bool has_keyword(const char *at, const char *end) {
+  while (at < end) {
+    while (at < end && is_blank(*at)) at++;
+    bool keyword = end - at > 5 && (strncasecmp(at, "axiom", 5) == 0 || strncasecmp(at, "angle", 5) == 0);
+    if (keyword && (is_blank(at[5]) || at[5] == '=')) return true;
+    const char *newline = memchr(at, '\n', (size_t)(end - at));
+    at = newline ? newline + 1 : end;
+  }
+  return false;
+}
+
+// `Start: {` and `A : { ... }` are blocks of native and cpfg files.
+static bool has_colon(const char *at, const char *end) {
+  return memchr(at, ':', (size_t)(end - at)) != NULL;
+}
+
+bool fractint_recognise(Arena *arena, const SourceFile *file) {
+  Systems systems = find_systems(arena, file);
+  for (size_t i = 0; i < systems.count; i++) {
+    const System *system = &systems.at[i];
+    const char *name = file->text + (system->name.begin - file->base);
+    const char *body = file->text + (system->body.begin - file->base);
+    bool block = has_colon(name, file->text + (system->brace.begin - file->base));
+    if (!system->foreign && !block && has_keyword(body, body + (system->body.end - system->body.begin))) return true;
+  }
+  return false;
+}
+
 void fractint_list(Arena *arena, const SourceFile *file, FILE *out) {
   Systems systems = find_systems(arena, file);
   for (size_t i = 0; i < systems.count; i++) {

@@ -4,6 +4,9 @@
 
 #include "frontend/ast.h"
 
+// Is this such a file? It holds a `Name { ... }` with a line of `axiom` or `angle` in it.
+bool fractint_recognise(Arena *arena, const SourceFile *file);
+
 // A file of `Name { ... }` entries -> the Ast of one of them, options->system
 // or the first. Its commands become symbols of our turtle: the result is a
 // native grammar, and no later pass knows where it came from.

@@ -269,6 +269,23 @@ static void systems_are_listed(void **state) {
   arena_destroy(arena);
 }
 
+static bool recognised(const char *text) {
+  Arena *arena = arena_create();
+  const SourceFile *file = sources_add(sources_create(arena), "test", text, strlen(text), (Span){0});
+  bool result = fractint_recognise(arena, file);
+  arena_destroy(arena);
+  return result;
+}
+
+static void files_are_recognised(void **state) {
+  (void)state;
+  assert_true(recognised(several));
+  assert_true(recognised("; comment\nlsys:K { ; c\n Axiom f\nangle=4"));
+  assert_false(recognised("axiom: F\nangle: 90\nF --> F{F}F\n"));
+  assert_false(recognised("Start: {\n angle = 3;\n}\naxiom: A\n"));
+  assert_false(recognised(""));
+}
+
 // ---- hostile files ---------------------------------------------------------
 
 static void many_systems_and_long_rules(void **state) {
@@ -326,6 +343,7 @@ int main(void) {
     cmocka_unit_test(the_first_is_the_default),
     cmocka_unit_test(unknown_systems_get_a_hint),
     cmocka_unit_test(systems_are_listed),
+    cmocka_unit_test(files_are_recognised),
     cmocka_unit_test(many_systems_and_long_rules),
     cmocka_unit_test(every_prefix_and_every_byte_is_survived),
   };

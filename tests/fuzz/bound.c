@@ -1,0 +1,68 @@
+// bound.c -- how long a random grammar's words can become at most: guards and
+// contexts are taken to hold whenever that makes a word longer.
+#include "grammar.h"
+
+enum { MOST_KINDS = 64, MOST_DEPTH = 8 };
+
+typedef struct Bound {
+  const FuzzGrammar *grammar;
+  const FuzzModule *kinds[MOST_KINDS];
+  int kind_count;
+  double longest[MOST_KINDS][MOST_DEPTH + 1];  // after the steps so far, if decomposed to that depth first
+} Bound;
+
+static int kind_of(Bound *bound, const FuzzModule *module) {
+  for (int i = 0; i < bound->kind_count; i++)
+    if (bound->kinds[i]->symbol == module->symbol && bound->kinds[i]->arity == module->arity) return i;
+  bound->kinds[bound->kind_count] = module;
+  return bound->kind_count++;
+}
+
+static void find_kinds(Bound *bound, const FuzzWord *word) {
+  for (size_t i = 0; i < word->count; i++) kind_of(bound, &word->at[i]);
+}
+
+static double length_of(Bound *bound, const FuzzWord *word, int depth) {
+  double sum = 0;
+  for (size_t i = 0; i < word->count; i++) sum += bound->longest[kind_of(bound, &word->at[i])][depth];
+  return sum;
+}
+
+// The longest that the successors of a kind's productions give; at least `least`.
+static double longest_successor(Bound *bound, int kind, RuleSection section, int depth, double least) {
+  for (size_t i = 0; i < bound->grammar->rules.count; i++) {
+    const FuzzRule *rule = &bound->grammar->rules.at[i];
+    if (rule->section != section || kind_of(bound, &rule->strict.at[0]) != kind) continue;
+    double length = length_of(bound, &rule->successor, depth);
+    if (length > least) least = length;
+  }
+  return least;
+}
+
+// From the lengths without decomposition to those with it, depth by depth.
+static void decompose(Bound *bound) {
+  for (int depth = 1; depth <= bound->grammar->depth; depth++)
+    for (int kind = 0; kind < bound->kind_count; kind++)
+      bound->longest[kind][depth] =
+        longest_successor(bound, kind, RULE_DECOMPOSITION, depth - 1, bound->longest[kind][0]);
+}
+
+bool fuzz_too_long(const FuzzGrammar *grammar, double longest) {
+  Bound bound = {.grammar = grammar};
+  find_kinds(&bound, &grammar->axiom);
+  for (size_t i = 0; i < grammar->rules.count; i++) {
+    find_kinds(&bound, &grammar->rules.at[i].strict);
+    find_kinds(&bound, &grammar->rules.at[i].successor);
+  }
+  for (int kind = 0; kind < bound.kind_count; kind++) bound.longest[kind][0] = 1;
+  for (int step = 0; step < grammar->steps; step++) {
+    decompose(&bound);
+    double next[MOST_KINDS];
+    for (int kind = 0; kind < bound.kind_count; kind++)
+      next[kind] =
+        longest_successor(&bound, kind, RULE_DERIVATION, grammar->depth, bound.longest[kind][grammar->depth]);
+    for (int kind = 0; kind < bound.kind_count; kind++) bound.longest[kind][0] = next[kind];
+    if (length_of(&bound, &grammar->axiom, 0) > longest) return true;
+  }
+  return false;
+}
