@@ -1,6 +1,7 @@
 // main.c -- lsysc: options, then the passes in order.
 //
 //   source -> Ast -> Program -> Facts, LsysGrammar -> interpreter | JIT | object -> program
+#include "analysis/analyze.h"
 #include "driver/help.h"
 #include "driver/link.h"
 #include "driver/load.h"
@@ -132,7 +133,7 @@ static int process(Session *session, const char *path) {
 
   session->facts = facts_find(session->arena, session->checked);
   if (options->dump == DUMP_FACTS || options->command == COMMAND_ANALYZE)
-    return report_error("this build has no report on facts"), EXIT_FAILURE;
+    return analyze_print(session->checked, session->facts, stdout), !printed();
 
   session->description = describe(session->arena, session->checked, session->facts);
   if (options->dump == DUMP_IR) return dump_ir(session);

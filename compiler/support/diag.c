@@ -57,6 +57,10 @@ size_t diag_errors(const Diag *diag) {
   return diag->errors;
 }
 
+const Sources *diag_sources(const Diag *diag) {
+  return diag->sources;
+}
+
 static const char *paint(const Diag *diag, const char *code) {
   return diag->colour ? code : "";
 }

@@ -54,6 +54,9 @@ void diag_remark(Diag *diag, Span span, const char *format, ...) DIAG_FORMAT;
 
 size_t diag_errors(const Diag *diag);
 
+// The texts that its messages point into.
+const Sources *diag_sources(const Diag *diag);
+
 // The candidate nearest to name by edit distance, or NULL when none is near
 // enough (a third of the length, at least 1) to be what was meant.
 const char *diag_nearest(const char *name, const char *const *candidates, size_t count);

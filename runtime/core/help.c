@@ -1,33 +1,30 @@
 // help.c -- --help and --version, generated from the .def tables and the grammar's params.
+#include "lsys/help.h"
 #include "core/formats.h"
 #include "core/message.h"
+#include "lsys/operators.h"
 
 #include <math.h>
 #include <string.h>
 
 enum { LEFT_COLUMN = 26, WIDTH = 96 };
 
-// Prints left, then doc wrapped at WIDTH in the right column.
-static void row(FILE *to, const char *left, const char *doc) {
+void lsys_help_row(FILE *to, const char *left, const char *doc) {
   int column = fprintf(to, "  %s", left);
   if (column >= LEFT_COLUMN) {
     fputc('\n', to);
     column = 0;
   }
-  fprintf(to, "%*s", LEFT_COLUMN - column, "");
-  column = LEFT_COLUMN;
-  while (*doc) {
-    int length = (int)strcspn(doc, " ");
-    if (column + length > WIDTH && column > LEFT_COLUMN) {
-      fprintf(to, "\n%*s", LEFT_COLUMN, "");
-      column = LEFT_COLUMN;
+  for (int first = column; *doc; first = 0) {
+    int length = (int)strlen(doc);
+    if (length > WIDTH - LEFT_COLUMN) {
+      length = WIDTH - LEFT_COLUMN;
+      while (length > 1 && doc[length] != ' ') length--;
     }
-    fprintf(to, "%.*s", length, doc);
-    column += length;
+    fprintf(to, "%*s%.*s\n", LEFT_COLUMN - first, "", length, doc);
     doc += length;
-    if (*doc) fputc(*doc++, to), column++;
+    while (*doc == ' ') doc++;
   }
-  fputc('\n', to);
 }
 
 static void option_row(FILE *to, LsysOption option) {
@@ -41,7 +38,7 @@ static void option_row(FILE *to, LsysOption option) {
            : *argument ? " "
                        : "",
            argument, optional ? "]" : "");
-  row(to, left, info->doc);
+  lsys_help_row(to, left, info->doc);
 }
 
 static void option_rows(FILE *to) {
@@ -59,7 +56,7 @@ static void param_rows(FILE *to, const LsysGrammar *grammar) {
     int length = snprintf(doc, sizeof doc, "default %s", param->text ? param->text : "given in the grammar");
     if (length > 0 && length < (int)sizeof doc && (isfinite(param->low) || isfinite(param->high)))
       snprintf(doc + length, sizeof doc - (size_t)length, ", in %.17g..%.17g", param->low, param->high);
-    row(to, param->name, doc);
+    lsys_help_row(to, param->name, doc);
   }
 }
 
@@ -84,7 +81,7 @@ static void formats(FILE *to) {
       at += snprintf(at, 20, " .%.*s", length, suffix);
       suffix += length + (suffix[length] == ' ');
     }
-    row(to, left, lsys_formats[i].doc);
+    lsys_help_row(to, left, lsys_formats[i].doc);
   }
 }
 
@@ -96,13 +93,13 @@ static void turtle(FILE *to) {
     snprintf(left, sizeof left, info->most ? "%s(%s)" : "%s", info->symbol, info->unit);
     snprintf(doc, sizeof doc, *info->fallback ? "%s [%s] (default: %s)" : "%s [%s]", info->doc, info->source,
              info->fallback);
-    row(to, left, doc);
+    lsys_help_row(to, left, doc);
   }
 }
 
 static void functions(FILE *to) {
   fprintf(to, "Functions of expressions (angles in degrees)\n");
-  for (int i = 0; i < LSYS_FN_COUNT; i++) row(to, lsys_functions[i].name, lsys_functions[i].doc);
+  for (int i = 0; i < LSYS_FN_COUNT; i++) lsys_help_row(to, lsys_functions[i].name, lsys_functions[i].doc);
 }
 
 static void settings(FILE *to) {
@@ -111,24 +108,39 @@ static void settings(FILE *to) {
     const LsysSettingInfo *info = &lsys_settings[i];
     char doc[256];
     snprintf(doc, sizeof doc, isnan(info->value) ? "%s" : "%s (default: %g %s)", info->doc, info->value, info->unit);
-    row(to, info->keyword, doc);
+    lsys_help_row(to, info->keyword, doc);
   }
 }
 
-bool lsys_help(FILE *to, const LsysGrammar *grammar, const char *subject) {
+static void operators(FILE *to) {
+  fprintf(to, "Operators of expressions, those that bind loosest first; a ? b : c binds looser than all\n");
+#define BINARY(id, spelling, precedence, right, doc) lsys_help_row(to, "a " spelling " b", doc);
+#define UNARY(id, spelling, precedence, doc) lsys_help_row(to, spelling "a", doc);
+#include "lsys/operators.def"
+}
+
+bool lsys_help_subject(FILE *to, const char *subject) {
   static const struct {
     const char *name;
     void (*print)(FILE *to);
-  } subjects[] = {{"formats", formats}, {"turtle", turtle}, {"functions", functions}, {"settings", settings}};
-  if (!subject) {
-    usage(to, grammar);
-    return true;
-  }
+  } subjects[] = {
+    {"formats", formats},     {"turtle", turtle},     {"functions", functions},
+    {"operators", operators}, {"settings", settings},
+  };
   for (size_t i = 0; i < sizeof subjects / sizeof *subjects; i++) {
     if (strcmp(subjects[i].name, subject)) continue;
     subjects[i].print(to);
     return true;
   }
-  lsys_error("there is no help on '%s'; there is on: formats, turtle, functions, settings", subject);
+  return false;
+}
+
+bool lsys_help(FILE *to, const LsysGrammar *grammar, const char *subject) {
+  if (subject && lsys_help_subject(to, subject)) return true;
+  if (!subject) {
+    usage(to, grammar);
+    return true;
+  }
+  lsys_error("there is no help on '%s'; there is on: formats, turtle, functions, operators, settings", subject);
   return false;
 }

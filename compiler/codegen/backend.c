@@ -1,0 +1,78 @@
+// backend.c -- the pipeline of code generation, and the table by which the
+// driver reaches it: Program + Facts + description -> module -> file or running code.
+#include "codegen/ir.h"
+
+#include <stdlib.h>
+
+static void build(Ir *ir, LLVMContextRef context, LLVMTargetMachineRef machine) {
+  ir_create(ir, context, machine);
+  if (ir->options->debug) debug_create(ir, diag_sources(ir->diag));
+  counters_assign(ir);
+  functions_declare(ir);
+  expand_declare(ir);
+  functions_define(ir);
+  expand_define(ir);
+  Entries entries = {init_emit(ir), axiom_emit(ir), entry_expand(ir), entry_homomorphism(ir)};
+  freeze_grammar(ir, &entries);
+  debug_finish(ir);
+}
+
+// What the rewriting functions cannot do is said, not guessed.
+static bool supported(const Ir *ir) {
+  if (ir->facts->context_free && !(ir->description->flags & LSYS_GRAMMAR_WHOLE)) return true;
+  diag_error(ir->diag, (Span){0, 0},
+             "`%s` has contexts or global state, which cannot be compiled; `lsysc interp` runs it", ir->program->name);
+  return false;
+}
+
+// The optimised module as bytes; machine is what it was made for. NULL after reporting.
+static LLVMMemoryBufferRef generate(Ir *ir, EmitKind kind, LLVMTargetMachineRef machine) {
+  if (!supported(ir)) return NULL;
+  LLVMContextRef context = LLVMContextCreate();
+  ir->arena = arena_create();
+  build(ir, context, machine);
+  bool sound = diag_errors(ir->diag) == 0 && emit_passes(ir, machine);
+  LLVMMemoryBufferRef buffer = sound ? emit_buffer(ir, machine, kind) : NULL;
+  ir_destroy(ir);
+  arena_destroy(ir->arena);
+  LLVMContextDispose(context);
+  return buffer;
+}
+
+static const char *version(void) {
+  static char text[32];
+  unsigned major, minor, patch;
+  LLVMGetVersion(&major, &minor, &patch);
+  snprintf(text, sizeof text, "LLVM %u.%u.%u", major, minor, patch);
+  return text;
+}
+
+static bool emit(const Program *program, const Facts *facts, const LsysGrammar *description,
+                 const BackendOptions *options, FILE *out, struct Diag *diag) {
+  Ir ir = {.program = program, .facts = facts, .description = description, .options = options, .diag = diag};
+  LLVMTargetMachineRef machine = emit_machine(options, false, diag);
+  if (!machine) return false;
+  LLVMMemoryBufferRef buffer = generate(&ir, options->emit, machine);
+  LLVMDisposeTargetMachine(machine);
+  if (!buffer) return false;
+  size_t size = LLVMGetBufferSize(buffer);
+  bool written = fwrite(LLVMGetBufferStart(buffer), 1, size, out) == size && fflush(out) == 0;
+  LLVMDisposeMemoryBuffer(buffer);
+  if (!written) diag_error(diag, (Span){0, 0}, "cannot write the generated code");
+  return written;
+}
+
+static Jit *jit(const Program *program, const Facts *facts, const LsysGrammar *description,
+                const BackendOptions *options, const LsysSymbol *symbols, size_t symbol_count, struct Diag *diag) {
+  Ir ir = {.program = program, .facts = facts, .description = description, .options = options, .diag = diag};
+  LLVMTargetMachineRef machine = emit_machine(options, true, diag);
+  if (!machine) return NULL;
+  LLVMMemoryBufferRef object = generate(&ir, EMIT_OBJECT, machine);
+  if (!object) {
+    LLVMDisposeTargetMachine(machine);
+    return NULL;
+  }
+  return jit_create(machine, object, options->symbol, symbols, symbol_count, diag);
+}
+
+__attribute__((visibility("default"))) const Backend lsysc_backend = {version, emit, jit, jit_grammar, jit_free};

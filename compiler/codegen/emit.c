@@ -1,0 +1,90 @@
+// emit.c -- a finished module -> optimised -> bytes of the kind asked for.
+#include "codegen/ir.h"
+
+#include <llvm-c/Analysis.h>
+#include <llvm-c/BitWriter.h>
+#include <llvm-c/Target.h>
+#include <llvm-c/Transforms/PassBuilder.h>
+#include <string.h>
+
+static const Span nowhere = {0, 0};
+
+static void initialise(bool all_targets) {
+  if (all_targets) {
+    LLVMInitializeAllTargetInfos();
+    LLVMInitializeAllTargets();
+    LLVMInitializeAllTargetMCs();
+    LLVMInitializeAllAsmPrinters();
+  } else {
+    LLVMInitializeNativeTarget();
+    LLVMInitializeNativeAsmPrinter();
+  }
+}
+
+LLVMTargetMachineRef emit_machine(const BackendOptions *options, bool this_machine, struct Diag *diag) {
+  initialise(options->target && !this_machine);
+  bool native = this_machine || (options->cpu && strcmp(options->cpu, "native") == 0);
+  char *triple =
+    options->target && !this_machine ? LLVMNormalizeTargetTriple(options->target) : LLVMGetDefaultTargetTriple();
+  char *cpu = native ? LLVMGetHostCPUName() : LLVMCreateMessage(options->cpu ? options->cpu : "");
+  char *features = native ? LLVMGetHostCPUFeatures() : LLVMCreateMessage("");
+  char *why = NULL;
+  LLVMTargetRef target;
+  LLVMTargetMachineRef machine = NULL;
+  if (LLVMGetTargetFromTriple(triple, &target, &why)) {
+    diag_error(diag, nowhere, "cannot generate code for %s: %s", triple, why);
+    LLVMDisposeMessage(why);
+  } else {
+    LLVMCodeGenOptLevel level = (LLVMCodeGenOptLevel)options->optimise;
+    machine = LLVMCreateTargetMachine(target, triple, cpu, features, level, LLVMRelocPIC, LLVMCodeModelDefault);
+    if (!machine) diag_error(diag, nowhere, "cannot generate code for %s", triple);
+  }
+  LLVMDisposeMessage(features);
+  LLVMDisposeMessage(cpu);
+  LLVMDisposeMessage(triple);
+  return machine;
+}
+
+static bool verify(Ir *ir) {
+  char *why = NULL;
+  bool broken = LLVMVerifyModule(ir->module, LLVMReturnStatusAction, &why);
+  if (broken) diag_error(ir->diag, nowhere, "internal error: the generated code is not well formed: %s", why);
+  LLVMDisposeMessage(why);
+  return !broken;
+}
+
+bool emit_passes(Ir *ir, LLVMTargetMachineRef machine) {
+#ifdef NDEBUG
+  bool checked = ir->options->verify;
+#else
+  bool checked = true;
+#endif
+  if (checked && !verify(ir)) return false;
+  static const char *const pipelines[] = {NULL, "default<O1>", "default<O2>", "default<O3>"};
+  if (ir->options->optimise == 0) return true;
+  LLVMPassBuilderOptionsRef options = LLVMCreatePassBuilderOptions();
+  LLVMErrorRef error = LLVMRunPasses(ir->module, pipelines[ir->options->optimise], machine, options);
+  LLVMDisposePassBuilderOptions(options);
+  if (!error) return true;
+  char *why = LLVMGetErrorMessage(error);
+  diag_error(ir->diag, nowhere, "internal error: %s", why);
+  LLVMDisposeErrorMessage(why);
+  return false;
+}
+
+LLVMMemoryBufferRef emit_buffer(Ir *ir, LLVMTargetMachineRef machine, EmitKind kind) {
+  if (kind == EMIT_BITCODE) return LLVMWriteBitcodeToMemoryBuffer(ir->module);
+  if (kind == EMIT_LLVM) {
+    char *text = LLVMPrintModuleToString(ir->module);
+    LLVMMemoryBufferRef buffer = LLVMCreateMemoryBufferWithMemoryRangeCopy(text, strlen(text), "ir");
+    LLVMDisposeMessage(text);
+    return buffer;
+  }
+  LLVMMemoryBufferRef buffer = NULL;
+  char *why = NULL;
+  LLVMCodeGenFileType type = kind == EMIT_OBJECT ? LLVMObjectFile : LLVMAssemblyFile;
+  if (!LLVMTargetMachineEmitToMemoryBuffer(machine, ir->module, type, &why, &buffer)) return buffer;
+  diag_error(ir->diag, nowhere, "cannot generate code: %s", why);
+  LLVMDisposeMessage(why);
+  return NULL;
+}

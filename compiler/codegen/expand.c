@@ -1,0 +1,354 @@
+// expand.c -- a native function for each kind that runs down the derivation
+// tree and writes the modules of the last step only, in order (DESIGN, engine
+// expand); and its siblings for decomposition and homomorphism, which differ
+// in what becomes of a successor's modules.
+//
+//   expand.A(out, steps, args..., key)            one rewriting, then each module with steps-1
+//   decompose.A(out, steps, depth, args..., key)  as deep as depth, then expand with steps
+//   interpret.A(out, depth, args..., key)         as deep as depth, then written without key
+//
+// A last module is reached by a jump (same function) or a tail call, so that a
+// chain of 10^6 steps takes constant stack. Other calls check the stack first.
+#include "analysis/passes.h"
+#include "codegen/ir.h"
+
+#include <ctype.h>
+
+static unsigned leads(Way way) {  // parameters between out and the module's arguments
+  return way == WAY_DECOMPOSE ? 2 : 1;
+}
+
+static const Productions *way_productions(const Ir *ir, Way way, KindId kind) {
+  const KindFacts *facts = &ir->facts->kinds[kind];
+  if (way == WAY_EXPAND) return &facts->own;
+  return way == WAY_DECOMPOSE ? &facts->decompositions : &facts->homomorphisms;
+}
+
+static bool wanted(const Ir *ir, Way way, KindId kind) {
+  const KindFacts *facts = &ir->facts->kinds[kind];
+  if (way == WAY_INTERPRET) return facts->homomorphisms.count;
+  if (!ir->facts->context_free || !facts->reachable) return false;
+  return way == WAY_EXPAND ? !facts->terminal : facts->decompositions.count;
+}
+
+// ---- declarations ------------------------------------------------------------
+
+static const char *way_name(Ir *ir, Way way, KindId kind) {
+  static const char *const names[] = {"expand", "decompose", "interpret"};
+  const Kind *k = &ir->program->kinds[kind];
+  for (const char *c = k->symbol; *c; c++)
+    if (!isalnum((unsigned char)*c) && *c != '_') return arena_printf(ir->arena, "%s.kind%u", names[way], kind);
+  return arena_printf(ir->arena, "%s.%s.%u", names[way], k->symbol, k->arity);
+}
+
+static LLVMValueRef declare(Ir *ir, Way way, KindId kind) {
+  uint32_t arity = ir->program->kinds[kind].arity;
+  LLVMTypeRef *types = arena_array(ir->arena, arity + (size_t)4, sizeof *types);
+  unsigned n = 0;
+  types[n++] = ir->types.ptr;
+  for (unsigned i = 0; i < leads(way); i++) types[n++] = ir->types.i64;
+  for (uint32_t i = 0; i < arity; i++) types[n++] = ir->types.f64;
+  if (ir->facts->kinds[kind].key) types[n++] = ir->types.i64;
+  LLVMTypeRef type = LLVMFunctionType(ir->types.none, types, n, false);
+  LLVMValueRef function = LLVMAddFunction(ir->module, way_name(ir, way, kind), type);
+  LLVMSetLinkage(function, LLVMInternalLinkage);
+  LLVMSetFunctionCallConv(function, ir->tail_convention);
+  ir_attribute(ir, function, LLVMAttributeFunctionIndex, "nounwind");
+  ir_attribute(ir, function, 1, "noalias");  // nothing else points at the stream while this runs
+  return function;
+}
+
+void expand_declare(Ir *ir) {
+  size_t kinds = ir->program->kind_count;
+  for (Way way = 0; way < WAY_COUNT; way++) {
+    ir->ways[way] = arena_array(ir->arena, kinds, sizeof *ir->ways[way]);
+    for (KindId k = 0; k < kinds; k++)
+      if (wanted(ir, way, k)) ir->ways[way][k] = declare(ir, way, k);
+  }
+}
+
+// ---- what becomes of a module ----------------------------------------------------
+
+// Goes on with the same function from its head.
+static void jump(Rewrite *rewrite, LLVMValueRef *values) {
+  LLVMBasicBlockRef here = LLVMGetInsertBlock(rewrite->scope.ir->builder);
+  LLVMBuildBr(rewrite->scope.ir->builder, rewrite->again);
+  for (size_t i = 0; i < rewrite->variables.count; i++) LLVMAddIncoming(rewrite->variables.at[i], &values[i], &here, 1);
+}
+
+// Hands a module to the function of its way. A last one ends the block.
+static void pass(Rewrite *rewrite, Way way, const Derived *module) {
+  Ir *ir = rewrite->scope.ir;
+  uint32_t arity = ir->program->kinds[module->kind].arity;
+  line_flush(rewrite);
+  LLVMValueRef *values = arena_array(ir->arena, arity + (size_t)4, sizeof *values);
+  unsigned n = 0;
+  values[n++] = rewrite->out;
+  if (way != WAY_INTERPRET) values[n++] = rewrite->left;
+  if (way != WAY_EXPAND) values[n++] = rewrite->deeper;
+  for (uint32_t i = 0; i < arity; i++) values[n++] = module->args[i];
+  if (module->key) values[n++] = module->key;
+  if (module->last && way == rewrite->way && module->kind == rewrite->kind) {
+    jump(rewrite, values + 1);
+    return;
+  }
+  LLVMValueRef call = ir_call(ir, ir->ways[way][module->kind], values, n);
+  if (!module->last) return;
+  LLVMSetTailCallKind(call, ir->tail_kind);
+  LLVMBuildRetVoid(ir->builder);
+}
+
+static void finish(Rewrite *rewrite) {
+  line_flush(rewrite);
+  LLVMBuildRetVoid(rewrite->scope.ir->builder);
+}
+
+// A module in the derivation with rewrite->left steps to go.
+static void derive(Rewrite *rewrite, const Derived *module) {
+  Ir *ir = rewrite->scope.ir;
+  if (!ir->facts->kinds[module->kind].terminal) {
+    pass(rewrite, WAY_EXPAND, module);
+    return;
+  }
+  LLVMValueRef key = module->key ? key_chain(ir, module->key, rewrite->left) : NULL;
+  line_add(rewrite, module->kind, module->args, key);
+  if (module->last) finish(rewrite);
+}
+
+// A module that a rewriting produced.
+static void hand_on(Rewrite *rewrite, const Derived *module, unsigned steps) {
+  (void)steps;
+  const KindFacts *facts = &rewrite->scope.ir->facts->kinds[module->kind];
+  if (rewrite->way != WAY_INTERPRET) {
+    if (facts->decompositions.count)
+      pass(rewrite, WAY_DECOMPOSE, module);
+    else
+      derive(rewrite, module);
+  } else if (facts->homomorphisms.count) {
+    pass(rewrite, WAY_INTERPRET, module);
+  } else {
+    line_add(rewrite, module->kind, module->args, NULL);
+    if (module->last) finish(rewrite);
+  }
+}
+
+// ---- a chosen production -----------------------------------------------------------
+
+// True if a module before the last is handed to a function: that call needs stack.
+static bool recurs(const Ir *ir, Way way, const Word *word) {
+  for (size_t i = 0; i + 1 < word->count; i++) {
+    const KindFacts *facts = &ir->facts->kinds[word->at[i].kind];
+    if (way == WAY_INTERPRET ? facts->homomorphisms.count : !facts->terminal) return true;
+  }
+  return false;
+}
+
+static void check_stack(Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef zero = LLVMConstInt(ir->types.i32, 0, false);
+  LLVMValueRef frame = ir_call(ir, ir_intrinsic(ir, "llvm.frameaddress", ir->types.ptr), &zero, 1);
+  LLVMValueRef at = LLVMBuildPtrToInt(ir->builder, frame, ir->types.i64, "");
+  LLVMValueRef limit = ir_load(ir, ir->types.i64, rewrite->out, ir->types.stream, STREAM_STACK_LIMIT);
+  LLVMBasicBlockRef deep = ir_block(ir, "deep"), go = ir_block(ir, "go");
+  ir_branch_unlikely(ir, LLVMBuildICmp(ir->builder, LLVMIntULT, at, limit, ""), deep, go);
+  ir_at(ir, deep);
+  LLVMValueRef too_deep = ir_runtime(ir, "lsys_too_deep", ir->types.none, &ir->types.ptr, 1, IR_STOPS);
+  ir_call(ir, too_deep, &rewrite->out, 1);
+  LLVMBuildUnreachable(ir->builder);
+  ir_at(ir, go);
+}
+
+static void take_any(Rewrite *rewrite, const Production *production) {
+  Ir *ir = rewrite->scope.ir;
+  if (recurs(ir, rewrite->way, &production->successor)) check_stack(rewrite);
+  successor_emit(rewrite, production, hand_on, 0);
+  if (production->successor.count == 0) LLVMBuildRetVoid(ir->builder);
+}
+
+// The last steps straight-line, any others by calls.
+static void take(Rewrite *rewrite, const Production *production) {
+  Ir *ir = rewrite->scope.ir;
+  bool fusing = rewrite->way == WAY_EXPAND && !ir->facts->kinds[rewrite->kind].fixed;
+  unsigned levels = fusing ? fuse_levels(ir, production) : 0;
+  if (levels) {
+    LLVMBasicBlockRef more = ir_block(ir, "more");
+    LLVMValueRef choice = LLVMBuildSwitch(ir->builder, rewrite->steps, more, levels);
+    Scope scope = rewrite->scope;
+    for (unsigned level = 1; level <= levels; level++) {
+      LLVMBasicBlockRef block = ir_block(ir, "last");
+      LLVMAddCase(choice, ir_int(ir, level), block);
+      ir_at(ir, block);
+      fuse_emit(rewrite, production, level);
+      LLVMBuildRetVoid(ir->builder);
+      rewrite->scope = scope;
+    }
+    ir_at(ir, more);
+  }
+  take_any(rewrite, production);
+}
+
+// ---- where no production applies -----------------------------------------------------
+
+// True if what did not apply to a module now never will: its arguments stay, and nothing else decides.
+static bool stays_for_ever(const Ir *ir, KindId kind) {
+  const KindFacts *facts = &ir->facts->kinds[kind];
+  if (facts->decompositions.count) return false;
+  for (size_t i = 0; i < facts->own.count; i++) {
+    const Production *p = facts->own.at[i];
+    if (p->table >= 0 || p->before.count) return false;
+    if ((p->guard && expr_draws(ir->program, p->guard)) || (p->weight && expr_draws(ir->program, p->weight)))
+      return false;
+  }
+  return true;
+}
+
+static void stay(Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  Derived self = {rewrite->kind, rewrite->args, rewrite->scope.key, true};
+  if (rewrite->way == WAY_DECOMPOSE) {
+    rewrite->left = rewrite->steps;
+    derive(rewrite, &self);
+  } else if (rewrite->way == WAY_INTERPRET) {
+    line_add(rewrite, self.kind, self.args, NULL);
+    finish(rewrite);
+  } else if (stays_for_ever(ir, rewrite->kind)) {
+    line_add(rewrite, self.kind, self.args, self.key ? key_chain(ir, self.key, rewrite->steps) : NULL);
+    finish(rewrite);
+  } else {
+    if (self.key) self.key = key_split(ir, self.key, 0);
+    hand_on(rewrite, &self, 0);
+  }
+}
+
+// ---- definitions -----------------------------------------------------------------------
+
+// The loop head: the function's parameters behind out become its variables.
+static void begin(Rewrite *rewrite, LLVMValueRef function) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMBasicBlockRef entry = LLVMAppendBasicBlockInContext(ir->context, function, "entry");
+  ir_at(ir, entry);
+  rewrite->out = LLVMGetParam(function, 0);
+  rewrite->scope.run = ir_load(ir, ir->types.ptr, rewrite->out, ir->types.stream, STREAM_RUN);
+  ir_mark_invariant(ir, rewrite->scope.run);
+  rewrite->again = ir_block(ir, "again");
+  LLVMBuildBr(ir->builder, rewrite->again);
+  ir_at(ir, rewrite->again);
+  for (unsigned i = 1; i < LLVMCountParams(function); i++) {
+    LLVMValueRef param = LLVMGetParam(function, i), phi = LLVMBuildPhi(ir->builder, LLVMTypeOf(param), "");
+    LLVMAddIncoming(phi, &param, &entry, 1);
+    *VEC_PUSH(ir->arena, &rewrite->variables) = phi;
+  }
+  LLVMValueRef *at = rewrite->variables.at;
+  if (rewrite->way != WAY_INTERPRET) rewrite->steps = *at++;
+  if (rewrite->way != WAY_EXPAND) rewrite->depth = *at++;
+  rewrite->args = at;
+  if (ir->facts->kinds[rewrite->kind].key) rewrite->scope.key = at[ir->program->kinds[rewrite->kind].arity];
+}
+
+// if (steps < run->block_levels[kind]) { append run->block[kind][steps]; return; }
+static void use_blocks(Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef kind = ir_int(ir, rewrite->kind), run = rewrite->scope.run;
+  LLVMValueRef levels = ir_load(ir, ir->types.ptr, run, ir->types.run, RUN_BLOCK_LEVELS);
+  LLVMValueRef known =
+    LLVMBuildLoad2(ir->builder, ir->types.i64, ir_advance(ir, ir->types.i64, levels, kind), "levels");
+  LLVMBasicBlockRef block = ir_block(ir, "block"), more = ir_block(ir, "more");
+  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntULT, rewrite->steps, known, ""), block, more);
+  ir_at(ir, block);
+  LLVMValueRef table = ir_load(ir, ir->types.ptr, run, ir->types.run, RUN_BLOCK);
+  LLVMValueRef row = LLVMBuildLoad2(ir->builder, ir->types.ptr, ir_advance(ir, ir->types.ptr, table, kind), "row");
+  LLVMValueRef at = ir_advance(ir, ir->types.block, row, rewrite->steps);
+  LLVMTypeRef types[] = {ir->types.ptr, ir->types.ptr, ir->types.i64, ir->types.ptr, ir->types.i64};
+  LLVMValueRef append = ir_runtime(ir, "lsys_append", ir->types.none, types, 5, IR_ANY);
+  LLVMValueRef args[] = {rewrite->out, ir_load(ir, ir->types.ptr, at, ir->types.block, BLOCK_SYM),
+                         ir_load(ir, ir->types.i64, at, ir->types.block, BLOCK_NSYM),
+                         ir_load(ir, ir->types.ptr, at, ir->types.block, BLOCK_ARG),
+                         ir_load(ir, ir->types.i64, at, ir->types.block, BLOCK_NARG)};
+  ir_call(ir, append, args, 5);
+  LLVMBuildRetVoid(ir->builder);
+  ir_at(ir, more);
+}
+
+// With no step (level) to go the module itself goes on.
+static void stop_at_zero(Rewrite *rewrite, LLVMValueRef count) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMBasicBlockRef none = ir_block(ir, "none"), some = ir_block(ir, "some");
+  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, count, ir_int(ir, 0), ""), none, some);
+  ir_at(ir, none);
+  Derived self = {rewrite->kind, rewrite->args, rewrite->scope.key, true};
+  if (rewrite->way == WAY_DECOMPOSE) {
+    rewrite->left = rewrite->steps;
+    derive(rewrite, &self);
+  } else {
+    line_add(rewrite, self.kind, self.args, self.key);
+    finish(rewrite);
+  }
+  ir_at(ir, some);
+}
+
+// The table of this step: schedule[(run->steps - steps) % count].
+static LLVMValueRef table_now(Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef total = ir_load(ir, ir->types.i64, rewrite->scope.run, ir->types.run, RUN_STEPS);
+  LLVMValueRef step = LLVMBuildSub(ir->builder, total, rewrite->steps, "");
+  LLVMValueRef count = ir_int(ir, ir->program->lsystems[0].schedule_count);
+  LLVMValueRef at = ir_advance(ir, ir->types.i32, ir->schedule, LLVMBuildURem(ir->builder, step, count, ""));
+  return LLVMBuildLoad2(ir->builder, ir->types.i32, at, "table");
+}
+
+// Levels that the section allows, counted down while modules are handed on.
+LLVMValueRef expand_depth(Ir *ir, Way way) {
+  const LSystem *main_system = &ir->program->lsystems[0];
+  const Rewriting *section = way == WAY_INTERPRET ? &main_system->homomorphism : &main_system->decomposition;
+  double depth = 1;
+  if (section->depth) expr_constant(ir->program, section->depth, &depth);
+  return ir_int(ir, depth > 0 ? depth < 0x1p62 ? (uint64_t)depth : UINT64_C(1) << 62 : 0);
+}
+
+// What all productions of the function share: counts of what is left, the step's table, counters at 0.
+static void prepare(Rewrite *rewrite, const Productions *productions) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef one = ir_int(ir, 1);
+  bool tables = false, counts = false;
+  for (size_t i = 0; i < productions->count; i++) {
+    tables |= productions->at[i]->table >= 0;
+    counts |= counters_needed(ir, productions->at[i]);
+  }
+  if (rewrite->way == WAY_EXPAND) {
+    rewrite->left = LLVMBuildSub(ir->builder, rewrite->steps, one, "left");
+    rewrite->deeper = expand_depth(ir, WAY_DECOMPOSE);
+  } else {
+    rewrite->left = rewrite->steps;
+    rewrite->deeper = LLVMBuildSub(ir->builder, rewrite->depth, one, "deeper");
+  }
+  if (tables) rewrite->table = table_now(rewrite);
+  if (counts) {
+    rewrite->scope.counters = counters_create(ir);
+    counters_clear(ir, rewrite->scope.counters);
+  }
+}
+
+static void define(Ir *ir, Way way, KindId kind) {
+  Rewrite rewrite = {.scope = {.ir = ir, .constant_values = true}, .way = way, .kind = kind};
+  rewrite.silent = way == WAY_INTERPRET;
+  const Productions *productions = way_productions(ir, way, kind);
+  debug_function(ir, ir->ways[way][kind], productions->count ? productions->at[0]->head : (Span){0, 0});
+  begin(&rewrite, ir->ways[way][kind]);
+  if (way == WAY_EXPAND && ir->facts->kinds[kind].fixed) use_blocks(&rewrite);
+  stop_at_zero(&rewrite, way == WAY_EXPAND ? rewrite.steps : rewrite.depth);
+  prepare(&rewrite, productions);
+  if (select_production(&rewrite, productions, take)) stay(&rewrite);
+}
+
+void expand_define(Ir *ir) {
+  const LSystem *main_system = &ir->program->lsystems[0];
+  if (main_system->schedule) {
+    LLVMValueRef *tables = arena_array(ir->arena, main_system->schedule_count, sizeof *tables);
+    for (size_t i = 0; i < main_system->schedule_count; i++)
+      tables[i] = LLVMConstInt(ir->types.i32, main_system->schedule[i], false);
+    ir->schedule = ir_data(ir, LLVMConstArray2(ir->types.i32, tables, main_system->schedule_count), "schedule");
+  }
+  for (Way way = 0; way < WAY_COUNT; way++)
+    for (KindId k = 0; k < ir->program->kind_count; k++)
+      if (ir->ways[way][k]) define(ir, way, k);
+}

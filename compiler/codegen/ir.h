@@ -1,0 +1,237 @@
+// ir.h -- code generation's shared state: the one header that includes llvm-c.
+//
+// An Ir is one module under construction. Passes run in the order of
+// module_build: functions of the run time, user functions, rewriting,
+// initialisation, and last the descriptor that points at all of them. Every
+// value is an IEEE double, every key and count an i64, every word three
+// streams (lsys/abi.h). Emission never sets fast-math flags.
+#ifndef LSYSC_CODEGEN_IR_H
+#define LSYSC_CODEGEN_IR_H
+
+#include "codegen/backend.h"
+#include "support/diag.h"
+
+#include <llvm-c/Core.h>
+#include <llvm-c/TargetMachine.h>
+
+typedef struct DebugInfo DebugInfo;
+
+// The run time's structs, mirrored once; the fields have the numbers below.
+typedef struct IrTypes {
+  LLVMTypeRef none, i1, i8, i16, i32, i64, f64, ptr;
+  LLVMTypeRef symbol;  // i8, or i16 in wide grammars
+  LLVMTypeRef word, stream, block, run, kind, param, axiom, growth;
+} IrTypes;
+
+enum { WORD_SYM, WORD_ARG, WORD_KEY, WORD_NSYM, WORD_NARG, WORD_NKEY };
+enum {
+  STREAM_SYM,
+  STREAM_ARG,
+  STREAM_KEY,
+  STREAM_SYM_LIMIT,
+  STREAM_ARG_LIMIT,
+  STREAM_KEY_LIMIT,
+  STREAM_RUN,
+  STREAM_STACK_LIMIT
+};
+enum { BLOCK_SYM, BLOCK_ARG, BLOCK_NSYM, BLOCK_NARG };
+enum { RUN_GRAMMAR, RUN_VALUE, RUN_ROOT, RUN_STEPS, RUN_BLOCK, RUN_BLOCK_LEVELS };
+
+// A function that rewrites modules of one kind, by how it goes on with the result.
+typedef enum Way {
+  WAY_EXPAND,     // (out, steps, args..., key): derives by that many steps
+  WAY_DECOMPOSE,  // (out, steps, depth, args..., key): decomposes, then derives by steps
+  WAY_INTERPRET,  // (out, depth, args..., key): homomorphism
+  WAY_COUNT
+} Way;
+
+typedef struct Ir {
+  Arena *arena;
+  const Program *program;
+  const Facts *facts;
+  const LsysGrammar *description;
+  const BackendOptions *options;
+  struct Diag *diag;
+
+  LLVMContextRef context;
+  LLVMModuleRef module;
+  LLVMBuilderRef builder;
+  IrTypes types;
+  unsigned tail_convention;    // calling convention of the rewriting functions
+  LLVMTailCallKind tail_kind;  // how their last calls are marked
+  DebugInfo *debug;            // NULL without -g
+
+  uint32_t *counter;                      // per call site: its repetition counter, or NO_COUNTER
+  uint32_t counters;                      // how many there are
+  LLVMValueRef *functions;                // user functions
+  LLVMValueRef *ways[WAY_COUNT];          // per way and kind: the function, or NULL
+  LLVMValueRef schedule;                  // table of each step (T0L), or NULL
+  uint32_t room_sym, room_arg, room_key;  // the most that was asked for at once
+} Ir;
+
+#define NO_COUNTER UINT32_MAX
+
+// ---- module.c: types, constants, small instructions -----------------------
+
+// An empty module for the target; the caller disposes of it with ir_destroy.
+void ir_create(Ir *ir, LLVMContextRef context, LLVMTargetMachineRef machine);
+void ir_destroy(Ir *ir);
+
+LLVMValueRef ir_int(const Ir *ir, uint64_t value);
+LLVMValueRef ir_double(const Ir *ir, double value);
+bool ir_is_double(LLVMValueRef value, double *number);  // true for a constant
+
+LLVMValueRef ir_load(Ir *ir, LLVMTypeRef type, LLVMValueRef object, LLVMTypeRef object_type, unsigned field);
+void ir_store(Ir *ir, LLVMValueRef value, LLVMValueRef object, LLVMTypeRef object_type, unsigned field);
+void ir_mark_invariant(Ir *ir, LLVMValueRef load);  // what it reads never changes while derivation code runs
+LLVMValueRef ir_advance(Ir *ir, LLVMTypeRef element, LLVMValueRef pointer, LLVMValueRef count);
+
+LLVMValueRef ir_call(Ir *ir, LLVMValueRef function, LLVMValueRef *args, unsigned count);
+LLVMBasicBlockRef ir_block(Ir *ir, const char *name);  // appended to the function being built
+void ir_branch(Ir *ir, LLVMValueRef condition, LLVMBasicBlockRef yes, LLVMBasicBlockRef no);
+void ir_branch_unlikely(Ir *ir, LLVMValueRef condition, LLVMBasicBlockRef yes, LLVMBasicBlockRef no);
+void ir_at(Ir *ir, LLVMBasicBlockRef block);  // go on building at the end of block
+LLVMValueRef ir_local(Ir *ir, LLVMTypeRef type, uint64_t count, const char *name);  // a variable in the entry block
+LLVMValueRef ir_data(Ir *ir, LLVMValueRef constant, const char *name);              // a private constant's address
+
+// A function of the run time, declared on first use.
+typedef enum IrEffect { IR_PURE, IR_ANY, IR_STOPS } IrEffect;
+LLVMValueRef ir_runtime(Ir *ir, const char *name, LLVMTypeRef result, LLVMTypeRef *params, unsigned count,
+                        IrEffect effect);
+LLVMValueRef ir_intrinsic(Ir *ir, const char *name, LLVMTypeRef type);  // overloaded on one type
+void ir_attribute(Ir *ir, LLVMValueRef function, unsigned place, const char *name);
+
+// ---- keys.c: LANGUAGE.md 5.8 in instructions --------------------------------
+
+LLVMValueRef key_split(Ir *ir, LLVMValueRef key, uint64_t child);
+LLVMValueRef key_chain(Ir *ir, LLVMValueRef key, LLVMValueRef steps);  // split(key, 0) so many times
+LLVMValueRef key_draw(Ir *ir, LLVMValueRef key, LLVMValueRef number);
+
+// ---- expr.c, function.c: expressions, statement blocks, user functions --------------------
+
+// A formal parameter or local variable: an SSA value, or a variable in memory.
+typedef struct Slot {
+  LLVMValueRef value, address;
+} Slot;
+
+// What an expression sees.
+typedef struct Scope {
+  Ir *ir;
+  LLVMValueRef run;
+  LLVMValueRef key;       // NULL where nothing can draw
+  LLVMValueRef counters;  // array of repetition counters, NULL where no site can repeat
+  Slot *slots;
+  bool constant_values;  // values do not change while this code runs
+} Scope;
+
+LLVMValueRef expr_value(Scope *scope, const Expr *expr);       // a double
+LLVMValueRef expr_test(Scope *scope, const Expr *expr);        // an i1: it holds
+LLVMValueRef expr_holds(Ir *ir, LLVMValueRef value);           // an i1
+LLVMValueRef expr_value_address(Scope *scope, uint32_t slot);  // of an entry of the run's value array
+LLVMValueRef expr_element_address(Scope *scope, uint32_t array, Expr *const *index, uint32_t count);
+void actions_run(Scope *scope, const Actions *actions);
+
+void counters_assign(Ir *ir);  // finds the sites that can repeat
+bool counters_needed(const Ir *ir, const Production *production);
+bool counters_needed_word(const Ir *ir, const Word *word);
+LLVMValueRef counters_create(Ir *ir);  // the array, in the entry block
+void counters_clear(Ir *ir, LLVMValueRef counters);
+
+void functions_declare(Ir *ir);
+void functions_define(Ir *ir);
+
+// ---- rewrite.h part: one module's rewriting being emitted --------------------
+
+// The modules that straight-line code will write together.
+typedef struct Line {
+  VEC(KindId) kinds;
+  VEC(LLVMValueRef) args;
+  VEC(LLVMValueRef) keys;
+} Line;
+
+// A rewriting function under construction, at one place in it.
+typedef struct Rewrite {
+  Scope scope;  // of the production at hand; its key is the module's
+  Way way;
+  KindId kind;
+  LLVMValueRef *args;           // the module's arguments
+  LLVMValueRef out;             // the stream
+  LLVMValueRef steps;           // WAY_EXPAND: steps left, this one included; WAY_DECOMPOSE: behind this step
+  LLVMValueRef depth;           // levels left, this one included; NULL in WAY_EXPAND
+  LLVMValueRef table;           // T0L: the table of this step, NULL where no production asks
+  LLVMBasicBlockRef again;      // head of the loop that a last successor of the same kind jumps to,
+  VEC(LLVMValueRef) variables;  //   and its variables: the function's parameters behind out
+  LLVMValueRef left, deeper;    // steps and levels that the successor's modules have left
+  bool silent;                  // results carry no keys (homomorphism)
+  Line line;
+} Rewrite;
+
+// select.c: the choice among productions (LANGUAGE.md 5.2). Calls take in the block where each is chosen, which
+// must end that block; then goes on where none is. False if one always is: then there is no such place.
+typedef void (*Take)(Rewrite *rewrite, const Production *production);
+bool select_production(Rewrite *rewrite, const Productions *productions, Take take);
+
+// A module of a successor, evaluated; key is NULL where its kind has none.
+typedef struct Derived {
+  KindId kind;
+  LLVMValueRef *args, key;
+  bool last;  // of its successor
+} Derived;
+
+// successor.c: evaluates the successor's arguments and keys, module by module, and gives each to handle.
+typedef void (*Handle)(Rewrite *rewrite, const Derived *module, unsigned steps);
+void successor_emit(Rewrite *rewrite, const Production *production, Handle handle, unsigned steps);
+
+// line.c: modules that are written as they are, with one check for room.
+void line_add(Rewrite *rewrite, KindId kind, LLVMValueRef *args, LLVMValueRef key);
+void line_flush(Rewrite *rewrite);
+// One module whose symbol is known at run time only.
+void line_copy(Rewrite *rewrite, LLVMValueRef symbol, LLVMValueRef *args, uint32_t arity, LLVMValueRef key);
+
+// fuse.c: the last steps of a derivation as straight-line code.
+unsigned fuse_levels(Ir *ir, const Production *production);  // how many; 0: none
+void fuse_emit(Rewrite *rewrite, const Production *production, unsigned levels);
+
+// expand.c: the rewriting functions of all reachable kinds.
+void expand_declare(Ir *ir);
+void expand_define(Ir *ir);
+LLVMValueRef expand_depth(Ir *ir, Way way);  // levels that the section of WAY_DECOMPOSE or WAY_INTERPRET allows
+
+// entry.c: the descriptor's functions that take packed words; NULL where the grammar has no such thing.
+LLVMValueRef entry_expand(Ir *ir);
+LLVMValueRef entry_homomorphism(Ir *ir);
+
+// init.c
+LLVMValueRef init_emit(Ir *ir);
+LLVMValueRef axiom_emit(Ir *ir);
+
+// freeze.c: the description as an exported constant that points at the functions.
+typedef struct Entries {
+  LLVMValueRef init, axiom, expand, homomorphism;
+} Entries;
+void freeze_grammar(Ir *ir, const Entries *entries);
+
+// ---- debug.c: -g ---------------------------------------------------------------
+
+// All but debug_create do nothing without -g.
+
+void debug_create(Ir *ir, const Sources *sources);
+void debug_finish(Ir *ir);
+void debug_function(Ir *ir, LLVMValueRef function, Span span);
+// What follows applies this production: a debugger stops there and shows the parameters in scope.slots.
+void debug_enter(Rewrite *rewrite, const Production *production);
+void debug_leave(Rewrite *rewrite);
+
+// ---- emit.c, jit.c -----------------------------------------------------------------
+
+// For options->target and cpu, or this very machine. NULL after reporting.
+LLVMTargetMachineRef emit_machine(const BackendOptions *options, bool this_machine, struct Diag *diag);
+bool emit_passes(Ir *ir, LLVMTargetMachineRef machine);
+LLVMMemoryBufferRef emit_buffer(Ir *ir, LLVMTargetMachineRef machine, EmitKind kind);  // NULL after reporting
+
+Jit *jit_create(LLVMTargetMachineRef machine, LLVMMemoryBufferRef object, const char *symbol, const LsysSymbol *symbols,
+                size_t symbol_count, struct Diag *diag);
+const LsysGrammar *jit_grammar(Jit *jit);
+void jit_free(Jit *jit);
+
+#endif

@@ -1,0 +1,222 @@
+// module.c -- an empty LLVM module that knows the run time's structs, and the
+// small instructions that every emitter needs.
+//
+// The mirrors of abi.h stand here and nowhere else. The static assertions say
+// that field N of a mirror is the C field of that name: both list only
+// pointers and fixed-width integers in natural alignment, so that equal
+// offsets on this machine mean equal order everywhere.
+#include "codegen/ir.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#define TAILCC 18u  // llvm::CallingConv::Tail
+#define FASTCC 8u   // llvm::CallingConv::Fast
+
+#define MIRROR(Type, field, place) _Static_assert(offsetof(Type, field) == (place), #Type "." #field " moved")
+MIRROR(LsysStream, sym, 8 * STREAM_SYM);
+MIRROR(LsysStream, arg, 8 * STREAM_ARG);
+MIRROR(LsysStream, key, 8 * STREAM_KEY);
+MIRROR(LsysStream, sym_limit, 8 * STREAM_SYM_LIMIT);
+MIRROR(LsysStream, arg_limit, 8 * STREAM_ARG_LIMIT);
+MIRROR(LsysStream, key_limit, 8 * STREAM_KEY_LIMIT);
+MIRROR(LsysStream, run, 8 * STREAM_RUN);
+MIRROR(LsysStream, stack_limit, 8 * STREAM_STACK_LIMIT);
+MIRROR(LsysWord, sym, 8 * WORD_SYM);
+MIRROR(LsysWord, arg, 8 * WORD_ARG);
+MIRROR(LsysWord, key, 8 * WORD_KEY);
+MIRROR(LsysWord, nsym, 8 * WORD_NSYM);
+MIRROR(LsysWord, narg, 8 * WORD_NARG);
+MIRROR(LsysWord, nkey, 8 * WORD_NKEY);
+MIRROR(LsysBlock, sym, 8 * BLOCK_SYM);
+MIRROR(LsysBlock, arg, 8 * BLOCK_ARG);
+MIRROR(LsysBlock, nsym, 8 * BLOCK_NSYM);
+MIRROR(LsysBlock, narg, 8 * BLOCK_NARG);
+MIRROR(LsysRun, grammar, 8 * RUN_GRAMMAR);
+MIRROR(LsysRun, value, 8 * RUN_VALUE);
+MIRROR(LsysRun, root, 8 * RUN_ROOT);
+MIRROR(LsysRun, steps, 8 * RUN_STEPS);
+MIRROR(LsysRun, block, 8 * RUN_BLOCK);
+MIRROR(LsysRun, block_levels, 8 * RUN_BLOCK_LEVELS);
+
+static LLVMTypeRef mirror(LLVMContextRef context, const char *name, LLVMTypeRef *fields, unsigned count) {
+  LLVMTypeRef type = LLVMStructCreateNamed(context, name);
+  LLVMStructSetBody(type, fields, count, false);
+  return type;
+}
+
+#define MIRROR_TYPE(name, ...)                                                                                         \
+  mirror(context, name, (LLVMTypeRef[]){__VA_ARGS__}, sizeof((LLVMTypeRef[]){__VA_ARGS__}) / sizeof(LLVMTypeRef))
+
+static void make_types(IrTypes *t, LLVMContextRef context, bool wide) {
+  t->none = LLVMVoidTypeInContext(context);
+  t->i1 = LLVMInt1TypeInContext(context);
+  t->i8 = LLVMInt8TypeInContext(context);
+  t->i16 = LLVMInt16TypeInContext(context);
+  t->i32 = LLVMInt32TypeInContext(context);
+  t->i64 = LLVMInt64TypeInContext(context);
+  t->f64 = LLVMDoubleTypeInContext(context);
+  t->ptr = LLVMPointerTypeInContext(context, 0);
+  t->symbol = wide ? t->i16 : t->i8;
+  LLVMTypeRef ptr = t->ptr, i64 = t->i64, i32 = t->i32, f64 = t->f64;
+  t->word = MIRROR_TYPE("word", ptr, ptr, ptr, i64, i64, i64);
+  t->stream = MIRROR_TYPE("stream", ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64);
+  t->block = MIRROR_TYPE("block", ptr, ptr, i64, i64);
+  t->run = MIRROR_TYPE("run", ptr, ptr, i64, i64, ptr, ptr);
+  t->kind = MIRROR_TYPE("kind", ptr, t->i16, t->i8, t->i8);
+  t->param = MIRROR_TYPE("param", ptr, i32, f64, f64, ptr);
+  t->axiom = MIRROR_TYPE("axiom", t->word);
+  t->growth = MIRROR_TYPE("growth", ptr, ptr, ptr);
+}
+
+void ir_create(Ir *ir, LLVMContextRef context, LLVMTargetMachineRef machine) {
+  ir->context = context;
+  ir->module = LLVMModuleCreateWithNameInContext(ir->program->name, context);
+  ir->builder = LLVMCreateBuilderInContext(context);
+  char *triple = LLVMGetTargetMachineTriple(machine);
+  LLVMSetTarget(ir->module, triple);
+  LLVMTargetDataRef layout = LLVMCreateTargetDataLayout(machine);
+  LLVMSetModuleDataLayout(ir->module, layout);
+  LLVMDisposeTargetData(layout);
+  // Chains of last successors must take constant stack at every -O: only these back ends promise it.
+  bool promised = strncmp(triple, "x86_64", 6) == 0 || strncmp(triple, "aarch64", 7) == 0;
+  ir->tail_convention = promised ? TAILCC : FASTCC;
+  ir->tail_kind = promised ? LLVMTailCallKindMustTail : LLVMTailCallKindTail;
+  LLVMDisposeMessage(triple);
+  make_types(&ir->types, context, ir->description->flags & LSYS_GRAMMAR_WIDE);
+}
+
+void ir_destroy(Ir *ir) {
+  LLVMDisposeBuilder(ir->builder);
+  LLVMDisposeModule(ir->module);
+}
+
+// ---- constants -------------------------------------------------------------
+
+LLVMValueRef ir_int(const Ir *ir, uint64_t value) {
+  return LLVMConstInt(ir->types.i64, value, false);
+}
+
+LLVMValueRef ir_double(const Ir *ir, double value) {
+  return LLVMConstReal(ir->types.f64, value);
+}
+
+bool ir_is_double(LLVMValueRef value, double *number) {
+  if (!LLVMIsAConstantFP(value)) return false;
+  LLVMBool lossy;
+  *number = LLVMConstRealGetDouble(value, &lossy);
+  return true;
+}
+
+LLVMValueRef ir_data(Ir *ir, LLVMValueRef constant, const char *name) {
+  LLVMValueRef global = LLVMAddGlobal(ir->module, LLVMTypeOf(constant), name);
+  LLVMSetInitializer(global, constant);
+  LLVMSetGlobalConstant(global, true);
+  LLVMSetLinkage(global, LLVMPrivateLinkage);
+  LLVMSetUnnamedAddress(global, LLVMGlobalUnnamedAddr);
+  return global;
+}
+
+// ---- memory ----------------------------------------------------------------
+
+LLVMValueRef ir_load(Ir *ir, LLVMTypeRef type, LLVMValueRef object, LLVMTypeRef object_type, unsigned field) {
+  return LLVMBuildLoad2(ir->builder, type, LLVMBuildStructGEP2(ir->builder, object_type, object, field, ""), "");
+}
+
+void ir_store(Ir *ir, LLVMValueRef value, LLVMValueRef object, LLVMTypeRef object_type, unsigned field) {
+  LLVMBuildStore(ir->builder, value, LLVMBuildStructGEP2(ir->builder, object_type, object, field, ""));
+}
+
+void ir_mark_invariant(Ir *ir, LLVMValueRef load) {
+  LLVMMetadataRef empty = LLVMMDNodeInContext2(ir->context, NULL, 0);
+  unsigned kind = LLVMGetMDKindIDInContext(ir->context, "invariant.load", strlen("invariant.load"));
+  LLVMSetMetadata(load, kind, LLVMMetadataAsValue(ir->context, empty));
+}
+
+LLVMValueRef ir_advance(Ir *ir, LLVMTypeRef element, LLVMValueRef pointer, LLVMValueRef count) {
+  return LLVMBuildInBoundsGEP2(ir->builder, element, pointer, &count, 1, "");
+}
+
+// The start of the function being built: where variables of every path live.
+static void at_entry(Ir *ir) {
+  LLVMValueRef function = LLVMGetBasicBlockParent(LLVMGetInsertBlock(ir->builder));
+  LLVMBasicBlockRef entry = LLVMGetEntryBasicBlock(function);
+  LLVMValueRef first = LLVMGetFirstInstruction(entry);
+  if (first)
+    LLVMPositionBuilderBefore(ir->builder, first);
+  else
+    LLVMPositionBuilderAtEnd(ir->builder, entry);
+}
+
+LLVMValueRef ir_local(Ir *ir, LLVMTypeRef type, uint64_t count, const char *name) {
+  LLVMBasicBlockRef here = LLVMGetInsertBlock(ir->builder);
+  at_entry(ir);
+  LLVMValueRef variable = count == 1 ? LLVMBuildAlloca(ir->builder, type, name)
+                                     : LLVMBuildArrayAlloca(ir->builder, type, ir_int(ir, count), name);
+  ir_at(ir, here);
+  return variable;
+}
+
+// ---- control ---------------------------------------------------------------
+
+LLVMBasicBlockRef ir_block(Ir *ir, const char *name) {
+  LLVMValueRef function = LLVMGetBasicBlockParent(LLVMGetInsertBlock(ir->builder));
+  return LLVMAppendBasicBlockInContext(ir->context, function, name);
+}
+
+void ir_at(Ir *ir, LLVMBasicBlockRef block) {
+  LLVMPositionBuilderAtEnd(ir->builder, block);
+}
+
+void ir_branch(Ir *ir, LLVMValueRef condition, LLVMBasicBlockRef yes, LLVMBasicBlockRef no) {
+  LLVMBuildCondBr(ir->builder, condition, yes, no);
+}
+
+void ir_branch_unlikely(Ir *ir, LLVMValueRef condition, LLVMBasicBlockRef yes, LLVMBasicBlockRef no) {
+  LLVMValueRef branch = LLVMBuildCondBr(ir->builder, condition, yes, no);
+  LLVMMetadataRef weights[] = {
+    LLVMMDStringInContext2(ir->context, "branch_weights", strlen("branch_weights")),
+    LLVMValueAsMetadata(LLVMConstInt(ir->types.i32, 1, false)),
+    LLVMValueAsMetadata(LLVMConstInt(ir->types.i32, 2000, false)),
+  };
+  unsigned kind = LLVMGetMDKindIDInContext(ir->context, "prof", 4);
+  LLVMSetMetadata(branch, kind, LLVMMetadataAsValue(ir->context, LLVMMDNodeInContext2(ir->context, weights, 3)));
+}
+
+// ---- functions -------------------------------------------------------------
+
+LLVMValueRef ir_call(Ir *ir, LLVMValueRef function, LLVMValueRef *args, unsigned count) {
+  LLVMValueRef call = LLVMBuildCall2(ir->builder, LLVMGlobalGetValueType(function), function, args, count, "");
+  LLVMSetInstructionCallConv(call, LLVMGetFunctionCallConv(function));
+  return call;
+}
+
+// Places: LLVMAttributeFunctionIndex, or 1 + a parameter's number. An attribute that this LLVM does not know is left
+// out.
+void ir_attribute(Ir *ir, LLVMValueRef function, unsigned place, const char *name) {
+  unsigned kind = LLVMGetEnumAttributeKindForName(name, strlen(name));
+  if (kind) LLVMAddAttributeAtIndex(function, place, LLVMCreateEnumAttribute(ir->context, kind, 0));
+}
+
+LLVMValueRef ir_runtime(Ir *ir, const char *name, LLVMTypeRef result, LLVMTypeRef *params, unsigned count,
+                        IrEffect effect) {
+  LLVMValueRef function = LLVMGetNamedFunction(ir->module, name);
+  if (function) return function;
+  function = LLVMAddFunction(ir->module, name, LLVMFunctionType(result, params, count, false));
+  unsigned all = LLVMAttributeFunctionIndex;
+  ir_attribute(ir, function, all, "nounwind");
+  if (effect == IR_PURE) {
+    ir_attribute(ir, function, all, "willreturn");
+    ir_attribute(ir, function, all, "memory");  // value 0 is memory(none)
+  } else {
+    ir_attribute(ir, function, all, "cold");
+    ir_attribute(ir, function, all, "noinline");
+  }
+  if (effect == IR_STOPS) ir_attribute(ir, function, all, "noreturn");
+  return function;
+}
+
+LLVMValueRef ir_intrinsic(Ir *ir, const char *name, LLVMTypeRef type) {
+  unsigned id = LLVMLookupIntrinsicID(name, strlen(name));
+  return LLVMGetIntrinsicDeclaration(ir->module, id, &type, 1);
+}

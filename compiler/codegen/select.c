@@ -1,0 +1,157 @@
+// select.c -- which production rewrites a module (LANGUAGE.md 5.2): the one
+// emission of the choice, for derivation, decomposition and homomorphism.
+//
+// Productions are tried in file order. The first that holds is taken if it has
+// no weight. Otherwise it opens a lottery that all later productions which
+// hold and have a weight join; the running sum of weights after production j
+// is the bound under which j is drawn. Where productions do not hold the sum
+// stands still, so that their bound is never the first to exceed the draw.
+#include "analysis/passes.h"
+#include "codegen/ir.h"
+
+typedef struct Ticket {  // a production in the lottery
+  const Production *production;
+  Slot *slots;
+  LLVMValueRef bound;
+} Ticket;
+
+typedef struct Lottery {
+  LLVMValueRef open;  // i1: some production joined; NULL: certainly none
+  LLVMValueRef sum;   // of their weights
+  VEC(Ticket) tickets;
+  bool certain;  // one always joins
+} Lottery;
+
+static Slot *make_slots(Rewrite *rewrite, const Production *production) {
+  Ir *ir = rewrite->scope.ir;
+  Slot *slots = arena_array(ir->arena, production->parameters + (size_t)production->locals, sizeof *slots);
+  uint32_t first = production->strict.at[0].slot;
+  for (uint32_t i = 0; i < ir->program->kinds[rewrite->kind].arity; i++) slots[first + i].value = rewrite->args[i];
+  for (uint32_t i = 0; i < production->locals; i++) {
+    Slot *local = &slots[production->parameters + i];
+    local->address = ir_local(ir, ir->types.f64, 1, production->slot_names[production->parameters + i]);
+    LLVMBuildStore(ir->builder, ir_double(ir, 0), local->address);
+  }
+  return slots;
+}
+
+// Goes on only where the test holds; elsewhere at fail.
+static void require(Ir *ir, LLVMValueRef test, LLVMBasicBlockRef fail) {
+  LLVMBasicBlockRef next = ir_block(ir, "holds");
+  ir_branch(ir, test, next, fail);
+  ir_at(ir, next);
+}
+
+static void require_expr(Rewrite *rewrite, const Expr *expr, LLVMBasicBlockRef fail) {
+  double value;
+  if (!expr) return;
+  if (expr_constant(rewrite->scope.ir->program, expr, &value) && lsys_holds(value)) return;
+  require(rewrite->scope.ir, expr_test(&rewrite->scope, expr), fail);
+}
+
+// Branches to fail unless the production holds. Returns false if it always does.
+static bool test(Rewrite *rewrite, const Production *production, LLVMBasicBlockRef fail) {
+  Ir *ir = rewrite->scope.ir;
+  if (production->table >= 0) {
+    LLVMValueRef table = LLVMConstInt(ir->types.i32, (unsigned long long)production->table, false);
+    require(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, rewrite->table, table, ""), fail);
+  }
+  rewrite->scope.slots = make_slots(rewrite, production);
+  require_expr(rewrite, production->match, fail);
+  actions_run(&rewrite->scope, &production->before);
+  require_expr(rewrite, production->guard, fail);
+  return LLVMGetFirstUse(LLVMBasicBlockAsValue(fail)) != NULL;
+}
+
+static void take_now(Rewrite *rewrite, const Production *production, Slot *slots, Take take) {
+  rewrite->scope.slots = slots;
+  debug_enter(rewrite, production);
+  actions_run(&rewrite->scope, &production->after);
+  take(rewrite, production);
+  debug_leave(rewrite);
+}
+
+// The production's weight as it counts: 0 unless it is greater.
+static LLVMValueRef share(Rewrite *rewrite, const Production *production) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef weight = expr_value(&rewrite->scope, production->weight);
+  LLVMValueRef positive = LLVMBuildFCmp(ir->builder, LLVMRealOGT, weight, ir_double(ir, 0), "");
+  return LLVMBuildSelect(ir->builder, positive, weight, ir_double(ir, 0), "");
+}
+
+static LLVMValueRef merged(Ir *ir, LLVMTypeRef type, LLVMValueRef failed, LLVMBasicBlockRef fail, LLVMValueRef held,
+                           LLVMBasicBlockRef hold) {
+  LLVMValueRef phi = LLVMBuildPhi(ir->builder, type, "");
+  LLVMAddIncoming(phi, (LLVMValueRef[]){failed, held}, (LLVMBasicBlockRef[]){fail, hold}, 2);
+  return phi;
+}
+
+// Lets a production that held join; may_fail: it need not hold, and fail is where it did not.
+static void join(Rewrite *rewrite, Lottery *lottery, const Production *production, LLVMBasicBlockRef fail,
+                 bool may_fail) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef yes = LLVMConstInt(ir->types.i1, 1, false), no = LLVMConstInt(ir->types.i1, 0, false);
+  LLVMValueRef sum = LLVMBuildFAdd(ir->builder, lottery->sum, share(rewrite, production), "sum"), open = yes;
+  if (may_fail) {
+    LLVMBasicBlockRef held = LLVMGetInsertBlock(ir->builder), next = ir_block(ir, "next");
+    LLVMBuildBr(ir->builder, next);
+    ir_at(ir, fail);
+    LLVMBuildBr(ir->builder, next);
+    ir_at(ir, next);
+    sum = merged(ir, ir->types.f64, lottery->sum, fail, sum, held);
+    open = merged(ir, ir->types.i1, lottery->open ? lottery->open : no, fail, yes, held);
+  }
+  lottery->sum = sum;
+  lottery->open = open;
+  lottery->certain |= !may_fail;
+  *VEC_PUSH(ir->arena, &lottery->tickets) = (Ticket){production, rewrite->scope.slots, sum};
+}
+
+// Ends at the place where nothing is drawn: no weight counted.
+static void draw(Rewrite *rewrite, const Lottery *lottery, Take take) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMBasicBlockRef stay = ir_block(ir, "stay"), drawing = ir_block(ir, "draw");
+  LLVMValueRef any = LLVMBuildFCmp(ir->builder, LLVMRealOGT, lottery->sum, ir_double(ir, 0), "");
+  ir_branch(ir, any, drawing, stay);
+  ir_at(ir, drawing);
+  LLVMValueRef u = key_draw(ir, rewrite->scope.key, ir_int(ir, 0));
+  LLVMValueRef ball = LLVMBuildFMul(ir->builder, u, lottery->sum, "ball");
+  for (size_t i = 0; i < lottery->tickets.count; i++) {
+    const Ticket *ticket = &lottery->tickets.at[i];
+    bool last = i + 1 == lottery->tickets.count;
+    LLVMBasicBlockRef chosen = ir_block(ir, "chosen"), next = last ? stay : ir_block(ir, "next");
+    ir_branch(ir, LLVMBuildFCmp(ir->builder, LLVMRealOLT, ball, ticket->bound, ""), chosen, next);
+    ir_at(ir, chosen);
+    take_now(rewrite, ticket->production, ticket->slots, take);
+    ir_at(ir, next);
+  }
+}
+
+// One production in its turn. False if no later one can have a turn.
+static bool try(Rewrite *rewrite, Lottery *lottery, const Production *production, Take take) {
+  Ir *ir = rewrite->scope.ir;
+  if (!production->weight && lottery->certain) return true;
+  LLVMBasicBlockRef fail = ir_block(ir, "next");
+  if (!production->weight && lottery->open) require(ir, LLVMBuildNot(ir->builder, lottery->open, ""), fail);
+  bool may_fail = test(rewrite, production, fail);
+  if (production->weight) {
+    join(rewrite, lottery, production, fail, may_fail);
+  } else {
+    take_now(rewrite, production, rewrite->scope.slots, take);
+    if (may_fail) ir_at(ir, fail);
+  }
+  if (!may_fail) LLVMDeleteBasicBlock(fail);
+  return production->weight || may_fail;
+}
+
+bool select_production(Rewrite *rewrite, const Productions *productions, Take take) {
+  Ir *ir = rewrite->scope.ir;
+  Lottery lottery = {.sum = ir_double(ir, 0)};
+  for (size_t i = 0; i < productions->count; i++) {
+    const Production *production = productions->at[i];
+    if (production_never(ir->program, production)) continue;
+    if (!try(rewrite, &lottery, production, take)) return false;
+  }
+  if (lottery.tickets.count) draw(rewrite, &lottery, take);
+  return true;
+}

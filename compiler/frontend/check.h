@@ -1,0 +1,233 @@
+// check.h -- what the files check*.c share: the state of one check and the
+// steps in the order in which check() takes them. Nobody else includes this.
+#ifndef LSYSC_FRONTEND_CHECK_H
+#define LSYSC_FRONTEND_CHECK_H
+
+#include "frontend/expr.h"
+#include "support/diag.h"
+#include "support/map.h"
+
+enum {
+  MOST_DEPTH = 2000,       // nesting of one expression or statement block
+  MOST_ARGUMENTS = 255,    // of a module
+  MOST_KINDS = 65536,      // a symbol takes at most two bytes
+  MOST_SITES = 1 << 20,    // LSYS_SITE_BITS
+  MOST_REWRITING = 65536,  // maximum depth of decomposition and homomorphism
+  MOST_ELEMENTS = 1 << 24  // of all arrays together
+};
+
+#define NONE UINT32_MAX
+#define NEVER SIZE_MAX
+#define LARGEST_WHOLE 9007199254740992.0  // 2^53: doubles count without gaps up to here
+
+// ---- names ------------------------------------------------------------------
+
+// One #define or param. Statements behind `at`, up to `until`, see it; those
+// before `at` see it if they see no earlier one.
+typedef struct Definition {
+  bool function, param;
+  uint32_t index;  // of values or functions
+  size_t at, until;
+  Span span, undefined;
+  bool used, hiding_told;
+} Definition;
+
+// A name and everything that it stands for. Equal names are one Name.
+typedef struct Name {
+  const char *text;
+  VEC(Definition) definitions;
+  uint32_t global, array;  // index of values, of arrays; NONE
+  uint32_t slot;           // in the scope whose number is `scope`
+  uint64_t scope;
+  uint64_t told;  // the scope in which it was reported as unknown
+} Name;
+
+typedef enum ScopeKind {
+  SCOPE_CONSTANT,  // #define, param, settings: no globals, which have no value yet
+  SCOPE_FUNCTION,  // the body of #define NAME(a)
+  SCOPE_AXIOM,
+  SCOPE_PRODUCTION,
+  SCOPE_BLOCK  // Start, StartEach, EndEach, End
+} ScopeKind;
+
+typedef struct Slot {
+  const char *name;  // NULL: the hidden slot of a literal
+  Span span;
+  bool used;
+} Slot;
+
+// Which names are bound to slots where an expression stands.
+typedef struct Scope {
+  ScopeKind kind;
+  uint64_t number;   // never the same for two scopes
+  VEC(Slot) slots;   // formal parameters, then local variables
+  uint32_t visible;  // slots below it are seen
+} Scope;
+
+// What a definition refers to.
+typedef struct Reference {
+  uint32_t index;  // of values or functions
+  bool function;
+  Span span;
+} Reference;
+
+typedef struct References {
+  VEC(Reference) list;
+} References;
+
+typedef struct ArrayEntry {
+  const AstArray *array;
+  Expr **sizes, **values;
+  Span span;
+} ArrayEntry;
+
+// ---- modules -------------------------------------------------------------------
+
+// `module NAME(args)` or `surface NAME: ...`
+typedef struct Declaration {
+  const char *name;
+  Span span;
+  bool has_arity, surface;
+  uint32_t arity;
+  const char **arg_names;
+  uint32_t next;  // another one of the same name, NONE
+} Declaration;
+
+// Where modules of a kind stand.
+typedef struct KindUse {
+  bool in_word, predecessor;
+} KindUse;
+
+typedef enum Side { SIDE_LEFT, SIDE_STRICT, SIDE_RIGHT } Side;
+
+// ---- L-systems -------------------------------------------------------------------
+
+typedef enum Section { SECTION_MAIN, SECTION_DECOMPOSITION, SECTION_HOMOMORPHISM, SECTION_COUNT } Section;
+
+typedef VEC(Production *) ProductionList;
+
+typedef struct Table {
+  const char *name;
+  Span span;
+} Table;
+
+// An LSystem while it is read.
+typedef struct System {
+  const char *name;  // NULL: the main one
+  Span span;
+  uint32_t number;
+  ProductionList productions[SECTION_COUNT];
+  Expr *depth[SECTION_COUNT], *seed[SECTION_COUNT];
+  bool warnings[SECTION_COUNT];
+  VEC(const AstStatement *) lists;  // ignore: and consider:
+  VEC(Table) tables;
+  const AstStatement *schedule;
+  bool ring;
+} System;
+
+// ---- the state --------------------------------------------------------------------
+
+typedef struct Check {
+  Arena *arena;
+  Diag *diag;
+  const Ast *ast;
+  Program *program;
+  bool failed;  // gave up: nested too deep
+
+  Map *name_map;
+  VEC(Name *) names;
+  VEC(Value) values, globals;  // globals move behind the values once all are known
+  VEC(UserFunction) functions;
+  VEC(ArrayEntry) arrays;
+  References *references;  // per value, then per function
+  References *referring;   // of the definition whose expression is being read, NULL
+
+  Map *kind_map, *declaration_map;
+  VEC(Kind) kinds;
+  VEC(KindUse) uses;
+  VEC(Declaration) declarations;
+
+  Map *system_map, *table_map;
+  VEC(System *) systems;
+  bool first_is_main;
+  System *system;  // where the statement stands that is being read
+  Section section;
+  int32_t table;
+  size_t statement;  // its number
+
+  Scope scope;
+  uint64_t scopes;       // how many there were
+  uint32_t depth;        // nesting of what is being read
+  Expr *poison;          // stands for what was reported
+  VEC(Expr *) literals;  // tests of the production's literal arguments
+  VEC(Expr *) divisions;
+  uint32_t productions, sites;
+
+  VEC(Word) axioms;
+  VEC(Surface) surfaces;
+  VEC(Action) blocks[4];  // Start, StartEach, EndEach, End
+  Expr *settings[LSYS_SETTING_COUNT], *seed;
+  bool uses_tables;  // some block calls useTable
+} Check;
+
+// ---- steps, in the order in which check() takes them -----------------------------------
+
+// check_names.c: what names, tables, L-systems and declared symbols there are, wherever they stand.
+void check_collect(Check *check);
+
+// check_sections.c: every statement in file order.
+void check_statements(Check *check);
+
+// check_values.c: the order in which values are made, constants, arrays.
+void check_values(Check *check);
+
+// check_systems.c: what is known at the end of the file only: ignored symbols, schedules, depths, seeds.
+void check_systems(Check *check);
+
+// check_warnings.c, check_families.c: what is allowed but hardly meant. Read the finished Program.
+void check_warnings(Check *check);
+void check_families(Check *check);
+
+// ---- what the steps use -------------------------------------------------------------------
+
+// check_names.c
+Name *name_intern(Check *check, const char *text);
+Definition *name_definition(const Check *check, const Name *name);
+void name_unknown(Check *check, Name *name, Span span, bool call);
+void scope_begin(Check *check, ScopeKind kind);
+uint32_t scope_bind(Check *check, const char *name, Span span);
+Slot *scope_slot(const Check *check, const Name *name);  // NULL: not bound there
+
+// check_expressions.c
+Expr *check_expression(Check *check, const AstExpr *ast);
+Expr **check_arguments(Check *check, const AstExprs *args);
+uint32_t check_element(Check *check, const AstExpr *ast, Expr ***index);
+LsysFunction function_named(const char *name);  // LSYS_FN_COUNT: there is none
+const char *function_arguments(Check *check, const LsysFunctionInfo *info);
+
+// One level deeper; false after an error. On success the caller does check->depth-- when it is done.
+bool check_deeper(Check *check, Span span);
+
+// check_kinds.c
+void kinds_declare(Check *check, const AstStatement *statement);
+KindId kind_of(Check *check, const char *symbol, size_t arity, Span span);
+
+// check_words.c; what: "axiom" or "successor", for messages
+Word check_word(Check *check, const AstWord *word, const char *what);
+Context check_context(Check *check, const AstWord *word, Side side);
+void check_formal(Check *check, const char *text, Span span);
+Expr *check_match(Check *check);
+
+// check_productions.c, check_actions.c, check_values.c: one statement
+void check_production(Check *check, const AstStatement *statement);
+Actions check_actions(Check *check, const AstActions *actions);
+void check_definition(Check *check, const AstStatement *statement);
+void check_arrays(Check *check, const AstStatement *statement);
+
+// check_systems.c
+void systems_begin(Check *check);
+void systems_collect(Check *check, const AstStatement *statement);
+uint32_t system_named(Check *check, const char *name, Span span);  // NONE after an error
+uint32_t table_named(Check *check, const System *system, const char *name, Span span);
+
+#endif

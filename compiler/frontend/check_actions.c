@@ -1,0 +1,172 @@
+// check_actions.c -- statement blocks (cpfg): in a production's blocks a name
+// that is assigned is a local variable, unless a global or a parameter has it;
+// in Start, StartEach, EndEach and End it is a global, found by check_names.c.
+#include "frontend/check.h"
+
+#include <string.h>
+
+static Actions actions_of(Check *check, const AstActions *actions);
+
+// ---- assignments ----------------------------------------------------------------
+
+static void assign_name(Check *check, const AstExpr *target, Action *action) {
+  Name *name = name_intern(check, target->name);
+  const Slot *slot = scope_slot(check, name);
+  if (slot) {
+    action->kind = ACTION_SET_LOCAL;
+    action->slot = name->slot;
+  } else if (name->global != NONE) {
+    action->kind = ACTION_SET_VALUE;
+    action->slot = LSYS_SETTING_COUNT + name->global;
+  } else if (name_definition(check, name)) {
+    diag_error(check->diag, target->span, "`%s` is a constant and cannot be assigned", name->text);
+    diag_note(check->diag, name_definition(check, name)->span, "it is defined here");
+  } else {
+    action->kind = ACTION_SET_LOCAL;
+    action->slot = scope_bind(check, name->text, target->span);
+    check->scope.slots.at[action->slot].used = true;
+  }
+}
+
+static void assign_element(Check *check, const AstExpr *target, Action *action) {
+  uint32_t array = check_element(check, target, &action->index);
+  action->kind = ACTION_SET_ELEMENT;
+  action->slot = array;
+  action->index_count = (uint32_t)target->args.count;
+}
+
+// The value first: a variable does not see its own first assignment.
+static void assign(Check *check, const AstAction *ast, Action *action) {
+  action->value = check_expression(check, ast->value);
+  if (ast->target->kind == AST_NAME)
+    assign_name(check, ast->target, action);
+  else if (ast->target->kind == AST_INDEX)
+    assign_element(check, ast->target, action);
+  else if (ast->target->kind != AST_POISON)
+    diag_error(check->diag, ast->target->span, "only a variable or an element of an array can be assigned");
+}
+
+// ---- calls for their effect --------------------------------------------------------
+
+static void use_table(Check *check, const AstExpr *call, Action *action) {
+  if (check->scope.kind != SCOPE_BLOCK) {
+    diag_error(check->diag, call->span, "a table is chosen before a step: `useTable` stands in Start or StartEach");
+    return;
+  }
+  if (call->args.count != 1 || call->args.at[0]->kind != AST_STRING) {
+    diag_error(check->diag, call->span, "`useTable` takes the name of a table in quotes");
+    return;
+  }
+  const AstExpr *name = call->args.at[0];
+  action->kind = ACTION_USE_TABLE;
+  action->slot = table_named(check, check->systems.at[0], name->text, name->span);
+  check->uses_tables = true;
+}
+
+// The number of values that a printf format asks for; -1 after an error.
+static int conversions(Check *check, const AstExpr *format) {
+  int count = 0;
+  for (const char *c = format->text; *c; c++) {
+    if (*c != '%') continue;
+    if (*++c == '%') continue;
+    c += strspn(c, "-+ #0");
+    c += strspn(c, "0123456789");
+    if (*c == '.') c += 1 + strspn(c + 1, "0123456789");
+    if (*c == 'l') c++;
+    if (!*c || !strchr("difFeEgG", *c)) {
+      diag_error(check->diag, format->span, "`printf` prints numbers: after `%%` it knows d, i, f, e and g");
+      return -1;
+    }
+    count++;
+  }
+  return count;
+}
+
+// A text is allowed as the first argument of printf only.
+static void print_numbers(Check *check, const AstExpr *call, Expr *result) {
+  const AstExpr *format = call->args.at[0];
+  if (format->kind != AST_STRING) {
+    diag_error(check->diag, format->span, "`printf` begins with a text in quotes: `printf(\"x = %%g\\n\", x)`");
+    return;
+  }
+  int wanted = conversions(check, format), given = (int)call->args.count - 1;
+  if (wanted >= 0 && wanted != given)
+    diag_error(check->diag, call->span, "the text asks for %d value%s, but %d %s given", wanted, wanted == 1 ? "" : "s",
+               given, given == 1 ? "is" : "are");
+  Expr *text = ARENA_NEW(check->arena, Expr);
+  *text = (Expr){EXPR_STRING, .text = format->text, .span = format->span};
+  result->args[0] = text;
+  for (size_t i = 1; i < call->args.count; i++) result->args[i] = check_expression(check, call->args.at[i]);
+}
+
+static Expr *effect(Check *check, const AstExpr *call, LsysFunction function) {
+  const LsysFunctionInfo *info = &lsys_functions[function];
+  int count = (int)call->args.count;
+  if (count < info->least || (info->most >= 0 && count > info->most)) {
+    diag_error(check->diag, call->span, "`%s` takes %s, not %d", info->name, function_arguments(check, info), count);
+    return check->poison;
+  }
+  Expr *result = ARENA_NEW(check->arena, Expr);
+  *result = (Expr){EXPR_CALL, .function = function, .count = (uint32_t)count, .span = call->span};
+  result->args = arena_array(check->arena, call->args.count, sizeof(Expr *));
+  if (function == LSYS_FN_PRINTF)
+    print_numbers(check, call, result);
+  else
+    result->args = check_arguments(check, &call->args);
+  return result;
+}
+
+static void evaluate(Check *check, const AstExpr *value, Action *action) {
+  LsysFunction function = value->kind == AST_CALL ? function_named(value->name) : LSYS_FN_COUNT;
+  if (value->kind == AST_POISON) return;
+  if (function == LSYS_FN_USE_TABLE)
+    use_table(check, value, action);
+  else if (function != LSYS_FN_COUNT && lsys_functions[function].how == LSYS_FN_EFFECT)
+    action->value = effect(check, value, function);
+  else if (value->kind == AST_CALL && function == LSYS_FN_COUNT)
+    name_unknown(check, name_intern(check, value->name), value->name_span, true);
+  else
+    diag_error(check->diag, value->span, "this statement computes a value that nothing uses");
+}
+
+// ---- statements ------------------------------------------------------------------------
+
+static void action_of(Check *check, const AstAction *ast, Action *action) {
+  static const ActionKind kinds[] = {[AST_IF] = ACTION_IF, [AST_WHILE] = ACTION_WHILE, [AST_DO] = ACTION_DO};
+  action->span = ast->span;
+  switch (ast->kind) {
+  case AST_ASSIGN:
+    assign(check, ast, action);
+    break;
+  case AST_EVALUATE:
+    action->kind = ACTION_EVALUATE;
+    evaluate(check, ast->value, action);
+    break;
+  case AST_IF:
+  case AST_WHILE:
+    action->kind = kinds[ast->kind];
+    action->value = check_expression(check, ast->value);
+    action->then = actions_of(check, &ast->then);
+    action->otherwise = actions_of(check, &ast->otherwise);
+    break;
+  case AST_DO:
+    action->kind = kinds[ast->kind];
+    action->then = actions_of(check, &ast->then);
+    action->value = check_expression(check, ast->value);
+    break;
+  }
+}
+
+static Actions actions_of(Check *check, const AstActions *actions) {
+  Actions result = {0};
+  if (actions->count == 0 || !check_deeper(check, actions->at[0]->span)) return result;
+  result.count = actions->count;
+  result.at = arena_array(check->arena, actions->count, sizeof(Action));
+  for (size_t i = 0; i < actions->count; i++) action_of(check, actions->at[i], &result.at[i]);
+  check->depth--;
+  return result;
+}
+
+Actions check_actions(Check *check, const AstActions *actions) {
+  return actions_of(check, actions);
+}

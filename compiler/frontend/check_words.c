@@ -1,0 +1,203 @@
+// check_words.c -- modules: words of axioms and successors, and the patterns of
+// predecessors with their formal parameters. Context matching as in ABOP p. 30-32.
+#include "frontend/check.h"
+
+#include <string.h>
+
+static bool is_symbol(const AstModule *module, const char *symbol) {
+  return strcmp(module->symbol, symbol) == 0;
+}
+
+// ---- words -----------------------------------------------------------------------
+
+// `?(NAME, scale)` names a sub-L-system; in the Program it is its number.
+static Expr *subsystem(Check *check, const AstExpr *ast) {
+  if (ast->kind == AST_NAME) {
+    uint32_t index = system_named(check, ast->name, ast->span);
+    return index == NONE ? check->poison : expr_number(check->arena, index, ast->span);
+  }
+  return check_expression(check, ast);
+}
+
+static Expr **module_arguments(Check *check, const AstModule *module) {
+  if (module->args.count == 0) return NULL;
+  if (!is_symbol(module, "?")) return check_arguments(check, &module->args);
+  Expr **args = arena_array(check->arena, module->args.count, sizeof(Expr *));
+  args[0] = subsystem(check, module->args.at[0]);
+  for (size_t i = 1; i < module->args.count; i++) args[i] = check_expression(check, module->args.at[i]);
+  return args;
+}
+
+// Warns at the first `]` that closes nothing and at the last `[` that is never closed.
+static void check_balance(Check *check, const AstWord *word, const char *what) {
+  VEC(size_t) open = {0};
+  for (size_t i = 0; i < word->modules.count; i++) {
+    const AstModule *module = &word->modules.at[i];
+    if (is_symbol(module, "[")) {
+      *VEC_PUSH(check->arena, &open) = i;
+    } else if (is_symbol(module, "]") && open.count) {
+      open.count--;
+    } else if (is_symbol(module, "]")) {
+      diag_warning(check->diag, WARN_BRACKETS, module->symbol_span, "this `]` closes no `[` of the %s", what);
+      return;
+    }
+  }
+  if (open.count == 0) return;
+  const AstModule *module = &word->modules.at[open.at[open.count - 1]];
+  diag_warning(check->diag, WARN_BRACKETS, module->symbol_span, "this `[` is not closed in the %s", what);
+}
+
+Word check_word(Check *check, const AstWord *word, const char *what) {
+  Word result = {arena_array(check->arena, word->modules.count, sizeof(Module)), word->modules.count};
+  for (size_t i = 0; i < result.count; i++) {
+    const AstModule *module = &word->modules.at[i];
+    if (is_symbol(module, "@]"))
+      diag_error(check->diag, module->symbol_span,
+                 "`@]` asks for the end of a branch and can only stand in a right context");
+    KindId kind = kind_of(check, module->symbol, module->args.count, module->span);
+    check->uses.at[kind].in_word = true;
+    result.at[i] = (Module){kind, module_arguments(check, module), module->span};
+  }
+  check_balance(check, word, what);
+  return result;
+}
+
+// ---- formal parameters ------------------------------------------------------------
+
+static void tell_hidden(Check *check, const Name *name, Span span) {
+  Definition *definition = name_definition(check, name);
+  if (definition && !definition->hiding_told) {
+    definition->hiding_told = true;
+    diag_remark(check->diag, span, "here the parameter `%s` hides the %s of that name", name->text,
+                definition->param ? "param" : "#define");
+    diag_note(check->diag, definition->span, "it is defined here");
+  } else if (name->global != NONE) {
+    diag_remark(check->diag, span, "here the parameter `%s` hides the global variable of that name", name->text);
+  }
+}
+
+void check_formal(Check *check, const char *text, Span span) {
+  Name *name = name_intern(check, text);
+  const Slot *other = scope_slot(check, name);
+  if (other) {
+    diag_error(check->diag, span, "parameter `%s` is used twice", text);
+    diag_note(check->diag, other->span, "the first `%s` is here", text);
+    if (check->scope.kind == SCOPE_PRODUCTION)
+      diag_hint(check->diag, "to ask for equal values use two names and a condition: `: %s == %s2`", text, text);
+  } else {
+    tell_hidden(check, name, span);
+  }
+  scope_bind(check, text, span);
+}
+
+// A number in a formal position: the argument has to equal it.
+static void literal(Check *check, double value, Span span) {
+  uint32_t slot = scope_bind(check, NULL, span);
+  Expr *parts = arena_array(check->arena, 3, sizeof(Expr));
+  Expr **args = arena_array(check->arena, 2, sizeof(Expr *));
+  parts[0] = (Expr){EXPR_PARAMETER, .slot = slot, .span = span};
+  parts[1] = (Expr){EXPR_NUMBER, .number = value, .span = span};
+  parts[2] = (Expr){EXPR_BINARY, .op = OP_EQ, .args = args, .count = 2, .span = span};
+  args[0] = &parts[0];
+  args[1] = &parts[1];
+  *VEC_PUSH(check->arena, &check->literals) = &parts[2];
+}
+
+static void formal(Check *check, const AstExpr *arg) {
+  if (arg->kind == AST_NAME) {
+    check_formal(check, arg->name, arg->span);
+  } else if (arg->kind == AST_NUMBER) {
+    literal(check, arg->number, arg->span);
+  } else if (arg->kind == AST_UNARY && arg->op == OP_NEG && arg->a->kind == AST_NUMBER) {
+    literal(check, -arg->a->number, arg->span);
+  } else {
+    scope_bind(check, NULL, arg->span);
+    if (arg->kind == AST_POISON) return;
+    diag_error(check->diag, arg->span, "a parameter of a predecessor is a name or a number");
+    diag_hint(check->diag, "ask for a value in the condition: `A(x) : x == ... --> ...`");
+  }
+}
+
+// ---- patterns --------------------------------------------------------------------------
+
+static PatternKind bracket_in_left(Check *check, const AstModule *module, bool first) {
+  if (is_symbol(module, "[") && first) return PATTERN_OPEN;
+  if (is_symbol(module, "[")) {
+    diag_error(check->diag, module->symbol_span, "in a left context `[` can only stand last, next to `<`");
+    diag_hint(check->diag, "a left context is the path to the root; `A[ < B` asks that B begin its branch");
+  } else {
+    diag_error(check->diag, module->symbol_span, "`]` cannot stand in a left context");
+    diag_hint(check->diag, "a left context is the path to the root: branches beside it are not on the path");
+  }
+  return PATTERN_MODULE;
+}
+
+static PatternKind pattern_kind(Check *check, const AstModule *module, Side side, bool last) {
+  bool bracket = is_symbol(module, "[") || is_symbol(module, "]");
+  if (is_symbol(module, "@]") && side == SIDE_RIGHT) return PATTERN_END;
+  if (is_symbol(module, "@]")) {
+    diag_error(check->diag, module->symbol_span,
+               "`@]` asks for the end of a branch and can only stand in a right context");
+    return PATTERN_MODULE;
+  }
+  if (side == SIDE_LEFT) return bracket ? bracket_in_left(check, module, last) : PATTERN_MODULE;
+  if (side == SIDE_STRICT) {
+    if (bracket)
+      diag_error(check->diag, module->symbol_span, "`%s` cannot be replaced: brackets keep branches together",
+                 module->symbol);
+    return PATTERN_MODULE;
+  }
+  if (is_symbol(module, "[")) return PATTERN_OPEN;
+  if (check->ast->rules.literal_context_brackets) return PATTERN_MODULE;
+  if (is_symbol(module, "]")) return PATTERN_CLOSE;
+  return is_symbol(module, "=") ? PATTERN_REST : PATTERN_MODULE;
+}
+
+// A right context never leaves the branch that its module is in.
+static void check_closed(Check *check, const AstWord *word) {
+  size_t depth = 0;
+  for (size_t i = 0; i < word->modules.count; i++) {
+    const AstModule *module = &word->modules.at[i];
+    if (is_symbol(module, "[")) depth++;
+    if (!is_symbol(module, "]")) continue;
+    if (depth-- > 0) continue;
+    diag_error(check->diag, module->symbol_span, "this `]` closes no `[` of the right context");
+    diag_hint(check->diag, "a right context does not leave the branch of its module; `@]` asks for the branch's end");
+    return;
+  }
+}
+
+Context check_context(Check *check, const AstWord *word, Side side) {
+  Context context = {arena_array(check->arena, word->modules.count, sizeof(Pattern)), word->modules.count};
+  for (size_t i = 0; i < context.count; i++) {
+    const AstModule *module = &word->modules.at[i];
+    Pattern *pattern = &context.at[i];
+    pattern->what = pattern_kind(check, module, side, i + 1 == context.count);
+    pattern->span = module->span;
+    pattern->slot = (uint32_t)check->scope.slots.count;
+    pattern->kind = KIND_NONE;
+    if (pattern->what != PATTERN_REST && pattern->what != PATTERN_END)
+      pattern->kind = kind_of(check, module->symbol, module->args.count, module->span);
+    for (size_t j = 0; j < module->args.count; j++) formal(check, module->args.at[j]);
+  }
+  if (side == SIDE_RIGHT && !check->ast->rules.literal_context_brackets) check_closed(check, word);
+  return context;
+}
+
+// ---- literals -----------------------------------------------------------------------------
+
+// All tests hold, asked from left to right. A balanced tree: the depth of what
+// later passes walk must not grow with the number of arguments.
+static Expr *conjunction(Check *check, Expr *const *tests, size_t count) {
+  if (count == 1) return tests[0];
+  Expr *both = ARENA_NEW(check->arena, Expr);
+  Expr **args = arena_array(check->arena, 2, sizeof(Expr *));
+  args[0] = conjunction(check, tests, count / 2);
+  args[1] = conjunction(check, tests + count / 2, count - count / 2);
+  *both = (Expr){EXPR_BINARY, .op = OP_AND, .args = args, .count = 2, .span = span_join(args[0]->span, args[1]->span)};
+  return both;
+}
+
+Expr *check_match(Check *check) {
+  return check->literals.count ? conjunction(check, check->literals.at, check->literals.count) : NULL;
+}
