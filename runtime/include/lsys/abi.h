@@ -175,6 +175,9 @@ void lsys_charge(LsysRun *run, int64_t bytes);
 // Ends the run with a message for the user, such as an array's index out of range; does not return.
 _Noreturn void lsys_fail(LsysRun *run, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+// printf of a block, to standard error: format holds one conversion d, i, e, f or g for each value.
+void lsys_print(LsysRun *run, const char *format, const double *values, uint32_t count);
+
 // The functions that compiled code may call, by name: what the JIT binds.
 typedef struct LsysSymbol {
   const char *name;

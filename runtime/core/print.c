@@ -1,0 +1,51 @@
+// print.c -- printf of a grammar's blocks, the same for every engine.
+// Requires: a format that check has seen: of conversions only d, i, e, f, g
+// (and E, F, G), one for each value.
+#include "lsys/abi.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { LONGEST_WIDTH = 4 };  // digits of a width or precision
+
+// Copies what stands between % and the letter; false where a number in it is too long to be meant.
+static const char *copy_flags(const char *from, char *to) {
+  size_t flags = strspn(from, "-+ #0");
+  size_t width = strspn(from + flags, "0123456789");
+  size_t length = flags + width, precision = 0;
+  if (from[length] == '.') precision = 1 + strspn(from + length + 1, "0123456789");
+  length += precision;
+  if (flags > LONGEST_WIDTH || width > LONGEST_WIDTH || precision > LONGEST_WIDTH + 1) return NULL;
+  memcpy(to, from, length);
+  to[length] = 0;
+  from += length;
+  return *from == 'l' ? from + 1 : from;
+}
+
+// One conversion from behind its %; returns what follows it. d prints whole numbers of any size, and nan.
+static const char *print_value(LsysRun *run, const char *from, double value) {
+  char flags[4 * LONGEST_WIDTH], format[8 * LONGEST_WIDTH];
+  const char *letter = copy_flags(from, flags);
+  if (!letter) lsys_fail(run, "printf: the width in %%%.20s... is too big", from);
+  bool whole = *letter == 'd' || *letter == 'i';
+  if (whole) flags[strcspn(flags, ".")] = 0;
+  snprintf(format, sizeof format, whole ? "%%%s.0f" : "%%%s%c", flags, *letter);
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+  fprintf(stderr, format, whole ? trunc(value) : value);
+#pragma GCC diagnostic pop
+  return letter + 1;
+}
+
+void lsys_print(LsysRun *run, const char *format, const double *values, uint32_t count) {
+  for (uint32_t used = 0; *format;) {
+    if (*format == '%' && format[1] != '%' && used < count) {
+      format = print_value(run, format + 1, values[used++]);
+      continue;
+    }
+    if (*format == '%' && format[1] == '%') format++;
+    fputc(*format++, stderr);
+  }
+}
