@@ -195,12 +195,19 @@ static bool step_module(const Match *match, const Pattern *pattern, AxisPlace *p
   return true;
 }
 
+// In cpfg a ] in a context is a module like others: it has to stand there.
+static bool is_literal_close(const Match *match, const Pattern *pattern) {
+  return pattern->what == PATTERN_MODULE && pattern->kind == match->links->program->close;
+}
+
 // The pattern's index behind the ] that closes the group before p.
 static size_t group_end(const Match *match, size_t p) {
-  for (unsigned depth = 1; p < match->context->count; p++) {
-    PatternKind what = match->context->at[p].what;
-    if (what == PATTERN_OPEN) depth++;
-    if (what == PATTERN_CLOSE && --depth == 0) return p + 1;
+  unsigned depth = 1;
+  while (p < match->context->count) {
+    const Pattern *pattern = &match->context->at[p++];
+    if (pattern->what == PATTERN_OPEN) depth++;
+    bool close = pattern->what == PATTERN_CLOSE || is_literal_close(match, pattern);
+    if (close && --depth == 0) break;
   }
   return p;
 }
@@ -229,14 +236,27 @@ static bool at_end(const Match *match, const AxisPlace *place) {
   return place->rest || match->links->at[place->at].right == NOWHERE;
 }
 
+// True if a ] follows on the axis, behind ignored modules and branches.
+static bool at_close(const Match *match, const AxisPlace *place) {
+  const Links *links = match->links;
+  for (size_t i = place->from; at_end(match, place) && i < links->word->count; i++) {
+    if (kind_at(links, i) == links->program->close) return true;
+    if (kind_at(links, i) == links->program->open) i = links->at[i].close;
+  }
+  return false;
+}
+
 // Patterns p..end against what stands behind place.
 static bool match_axis(Match *match, size_t p, size_t end, AxisPlace place) {
   while (p < end) {
     const Pattern *pattern = &match->context->at[p++];
     switch (pattern->what) {
-    case PATTERN_MODULE:
-      if (!step_module(match, pattern, &place)) return false;
+    case PATTERN_MODULE: {
+      bool close = is_literal_close(match, pattern);
+      if (close ? !at_close(match, &place) : !step_module(match, pattern, &place)) return false;
+      place.rest |= close;
       break;
+    }
     case PATTERN_OPEN: {
       size_t behind = group_end(match, p);
       if (!step_group(match, p, behind, &place)) return false;

@@ -121,9 +121,21 @@ static double fold(Scope *scope, const Expr *expr, double (*combine)(double, dou
   return result;
 }
 
+// printf(format, ...): its values stand on the frames' stack while they are collected.
+static void print(Scope *scope, const Expr *expr) {
+  size_t first = scope->slots;
+  for (uint32_t i = 1; i < expr->count; i++) {
+    double value = evaluate(scope, expr->args[i]);
+    push_slot(scope, value);
+  }
+  lsys_print(scope->run, expr->args[0]->text, scope->slot + first, expr->count - 1);
+  scope->slots = first;
+}
+
 static double call(Scope *scope, const Expr *expr) {
   if (expr->function == LSYS_FN_MIN) return fold(scope, expr, lsys_min);
   if (expr->function == LSYS_FN_MAX) return fold(scope, expr, lsys_max);
+  if (expr->function == LSYS_FN_PRINTF) return print(scope, expr), 0;
   double x = expr->count > 0 ? evaluate(scope, expr->args[0]) : 0;
   double y = expr->count > 1 ? evaluate(scope, expr->args[1]) : 0;
   switch (expr->function) {
@@ -161,6 +173,9 @@ static double call(Scope *scope, const Expr *expr) {
     return lsys_round(x);
   case LSYS_FN_SIGN:
     return lsys_sign(x);
+  case LSYS_FN_STOP:
+    scope->stopped |= expr->count == 0 || lsys_holds(x);
+    return 0;
   default:
     return random_call(scope, expr, x, y);
   }

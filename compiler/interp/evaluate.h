@@ -17,6 +17,7 @@ typedef struct Scope {
   const Program *program;
   LsysRun *run;     // run->value: settings, constants, params, globals, array elements
   int64_t table;    // as useTable last set it; -1: never
+  bool stopped;     // stop() asked for the derivation's end
   uint64_t key;     // of the rewriting: draws are functions of it
   SiteCount *site;  // program->sites + 1 of them
   uint64_t rewriting;

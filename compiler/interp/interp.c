@@ -111,9 +111,10 @@ static void derive(LsysRun *run, uint32_t which, uint64_t steps, LsysStream *out
   reset_globals(program, run->value);
   begin_values(blocks);
   blocks->table = -1;
+  blocks->stopped = interp->scope.stopped = false;
   execute(blocks, &program->start);
   build_axiom(interp, which, &interp->word);
-  for (uint64_t left = steps; left > 0; left--) {
+  for (uint64_t left = steps; left > 0 && !blocks->stopped && !interp->scope.stopped; left--) {
     lsys_charge(run, 0);  // a step is where a run can be interrupted
     execute(blocks, &program->start_each);
     rewrite_word(interp, run->steps - left);
