@@ -136,6 +136,7 @@ typedef struct AstArray {
   Span span;
   AstExprs sizes, values;
 } AstArray;
+typedef VEC(AstArray) AstArrays;
 
 typedef struct AstStatement {
   AstStatementKind kind;
@@ -147,7 +148,7 @@ typedef struct AstStatement {
   AstProduction *production;
   AstExpr *value, *low, *high;
   AstActions actions;
-  VEC(AstArray) arrays;
+  AstArrays arrays;
   unsigned setting;
 } AstStatement;
 

@@ -1,0 +1,79 @@
+// guess.c -- the commonest slips: a colon or an arrow forgotten, an arrow of
+// another kind, a keyword misspelled.
+#include "frontend/guess.h"
+
+#include "support/utf8.h"
+
+// Where one of these stands for an arrow outside parentheses; NULL: nowhere.
+static const char *other_arrow(const Statement *s, size_t *length) {
+  static const char *const arrows[] = {"=>", "⇒", "⟹", "↦", "—>", ":=", "::=", "=", ">"};
+  unsigned depth = 0;
+  for (const char *at = s->begin; at < s->end; at++) {
+    depth += *at == '(';
+    depth -= *at == ')' && depth;
+    for (size_t i = 0; !depth && i < sizeof arrows / sizeof *arrows; i++)
+      if ((*length = utf8_starts(at, s->end, arrows[i])) > 0) return at;
+  }
+  return NULL;
+}
+
+// The words before the first colon, or the first word.
+static Span first_words(const Statement *s) {
+  const char *end = s->colons[0];
+  if (end)
+    while (end > s->begin && (end[-1] == ' ' || end[-1] == '\t')) end--;
+  else
+    for (end = s->begin; end < s->end && !strchr(" \t\r\n(", *end);) end++;
+  return statement_span(s, s->begin, end);
+}
+
+static void unknown_directive(Parser *parser, const Statement *s) {
+  Span span = first_words(s);
+  const char *word = arena_copy(parser->build.arena, s->begin, span.end - span.begin);
+  const char *nearest = keyword_nearest(parser->build.arena, word);
+  diag_error(parser->diag, span, "unknown directive `%s`%s%s%s", word, nearest ? "; did you mean `" : "",
+             nearest ? nearest : "", nearest ? "`?" : "");
+}
+
+static void unknown_statement(Parser *parser, const Statement *s) {
+  Span span = first_words(s);
+  const char *word = arena_copy(parser->build.arena, s->begin, span.end - span.begin);
+  const char *nearest = keyword_nearest(parser->build.arena, word);
+  if (nearest)
+    diag_error(parser->diag, span, "unknown statement `%s:`; did you mean `%s`?", word, nearest);
+  else
+    diag_error(parser->diag, span, "unknown statement `%s:`", word);
+}
+
+static void missing_arrow(Parser *parser, const Statement *s) {
+  size_t length;
+  const char *arrow = other_arrow(s, &length);
+  if (arrow) {
+    Span span = statement_span(s, arrow, arrow + length);
+    diag_error(parser->diag, span, "a production's arrow is written `->`, not `%.*s`", (int)length, arrow);
+    diag_fix(parser->diag, span, "->");
+    return;
+  }
+  diag_error(parser->diag, statement_span(s, s->begin, s->end), "this is neither a statement nor a production");
+  diag_hint(parser->diag, "a production has an arrow `->` between predecessor and successor");
+}
+
+void guess_statement(Parser *parser, const Statement *s) {
+  KeywordMatch match = keyword_find(s->begin, s->end);
+  bool letter = match.keyword && (size_t)(match.end - s->begin) == utf8_length(s->begin, s->end);
+  if (*s->begin == '#' && s->begin + 1 < s->end && !match.keyword && s->begin[1] >= 'a' && s->begin[1] <= 'z') {
+    unknown_directive(parser, s);
+  } else if (match.keyword && !letter) {
+    diag_error(parser->diag, statement_span(s, s->begin, match.end), "a `%.*s:` statement needs its `:`",
+               (int)(match.end - s->begin), s->begin);
+    diag_fix(parser->diag, statement_span(s, match.end, match.end), ":");
+  } else if (s->colons[0] && !statement_label(s->begin, s->colons[0])) {
+    size_t length;
+    if (other_arrow(s, &length) && *s->colons[0] == ':' && memchr(s->begin, '(', (size_t)(s->colons[0] - s->begin)))
+      missing_arrow(parser, s);
+    else
+      unknown_statement(parser, s);
+  } else {
+    missing_arrow(parser, s);
+  }
+}

@@ -1,0 +1,37 @@
+// parser.h -- one logical statement -> its AST (parse.y).
+//
+// Statements are parsed one at a time, so an error in one cannot reach into
+// the next, and the reader can have `#if` conditions parsed when it meets them.
+#ifndef LSYSC_FRONTEND_PARSER_H
+#define LSYSC_FRONTEND_PARSER_H
+
+#include "frontend/ast_build.h"
+#include "frontend/split.h"
+
+typedef struct Parser {
+  AstBuilder build;
+  Diag *diag;
+  const Sources *sources;
+  Trie *symbols;   // the interner
+  Trie *declared;  // names that are symbols
+  Scanner *scanner;
+  Statement *statement;  // that is being parsed
+  AstExpr *condition;    // of an #if
+} Parser;
+
+void parser_init(Parser *parser, Arena *arena, Diag *diag, const Sources *sources);
+void parser_finish(Parser *parser);
+
+// Fills statement->ast, unless an error is or was reported. Does nothing the second time.
+void parser_statement(Parser *parser, Statement *statement);
+
+// The condition of an `#if` or `#elif`; NULL after an error.
+AstExpr *parser_condition(Parser *parser, Statement *statement);
+
+// The statement's tokens, one a line.
+void parser_tokens(Parser *parser, Statement *statement, FILE *out);
+
+// What messages call a token.
+const char *parser_token_name(int token);
+
+#endif
