@@ -62,7 +62,7 @@ const Production *choose(Interp *interp, const Section *section, int64_t table, 
   const Productions *list = &section->of[box->kind];
   size_t count = 0;
   double sum = 0;
-  scope_begin(scope, box->key);
+  scope_start(scope, box->key);
   for (size_t i = 0; i < list->count; i++) {
     const Production *production = list->at[i];
     if (production->table >= 0 && table >= 0 && production->table != table) continue;

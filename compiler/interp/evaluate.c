@@ -21,7 +21,7 @@ void scope_free(Scope *scope) {
   scope->slots = scope->slot_capacity = 0;
 }
 
-void scope_begin(Scope *scope, uint64_t key) {
+void scope_start(Scope *scope, uint64_t key) {
   scope->key = key;
   scope->rewriting++;
   scope->slots = scope->base = 0;

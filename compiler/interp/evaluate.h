@@ -32,7 +32,7 @@ Scope scope_create(Arena *arena, const Program *program);
 void scope_free(Scope *scope);
 
 // A new rewriting by key: no frames, every site evaluated 0 times so far.
-void scope_begin(Scope *scope, uint64_t key);
+void scope_start(Scope *scope, uint64_t key);
 
 // Pushes a frame of count zeros and makes it the current one.
 void scope_push(Scope *scope, size_t count);

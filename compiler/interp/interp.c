@@ -25,7 +25,7 @@ static Interp *begin(LsysRun *run, Interp *interp) {
 
 // Draws of #define, param and blocks.
 static void begin_values(Scope *scope) {
-  scope_begin(scope, lsys_split(scope->run->root, LSYS_VALUES_CHILD));
+  scope_start(scope, lsys_split(scope->run->root, LSYS_VALUES_CHILD));
 }
 
 static void reset_globals(const Program *program, double *value) {
@@ -79,7 +79,7 @@ static void build_axiom(Interp *interp, uint32_t which, Boxes *out) {
   boxes_clear(out);
   for (size_t i = 0; i < word->count; i++) {
     const Module *module = &word->at[i];
-    scope_begin(scope, lsys_split(scope->run->root, first + i));
+    scope_start(scope, lsys_split(scope->run->root, first + i));
     boxes_push(scope->run, out, module->kind, scope->key);
     for (uint32_t a = 0; a < interp->program->kinds[module->kind].arity; a++) {
       double value = evaluate(scope, module->args[a]);

@@ -9,7 +9,7 @@
 
 static uint32_t maximum_depth(Interp *interp, const Section *section) {
   if (!section->rewriting->depth) return 1;
-  scope_begin(&interp->scope, 0);
+  scope_start(&interp->scope, 0);
   double depth = evaluate(&interp->scope, section->rewriting->depth);
   return depth >= UINT32_MAX ? UINT32_MAX : depth >= 1 ? (uint32_t)depth : 0;
 }
