@@ -6,7 +6,7 @@
 #include <string.h>
 
 const LsysFormat lsys_formats[] = {
-#define FORMAT(name, suffixes, create, doc) {name, suffixes, create, doc},
+#define FORMAT(name, suffixes, reads, create, doc) {name, suffixes, LSYS_READS_##reads, create, doc},
 #include "core/formats.def"
 };
 const size_t lsys_format_count = sizeof lsys_formats / sizeof *lsys_formats;

@@ -18,8 +18,11 @@ typedef struct LsysSinkContext {
 // NULL after printing why not.
 typedef LsysSink *LsysSinkCreate(const LsysSinkContext *context);
 
+typedef enum LsysReads { LSYS_READS_WORD, LSYS_READS_FIGURE } LsysReads;
+
 typedef struct LsysFormat {
   const char *name, *suffixes;
+  LsysReads reads;
   LsysSinkCreate *create;
   const char *doc;
 } LsysFormat;
@@ -27,8 +30,9 @@ typedef struct LsysFormat {
 extern const LsysFormat lsys_formats[];
 extern const size_t lsys_format_count;
 
-#define FORMAT(name, suffixes, create, doc) LsysSinkCreate create;
+#define FORMAT(name, suffixes, reads, create, doc) LsysSinkCreate create;
 #include "core/formats.def"
+LsysSinkCreate lsys_sink_stats;  // --stats
 
 // The format called name, or (name NULL) the one of path's suffix, or text for "-"; NULL after printing what there is.
 const LsysFormat *lsys_format_find(const char *name, const char *path);

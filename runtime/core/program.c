@@ -5,6 +5,7 @@
 #include "core/growth.h"
 #include "core/message.h"
 #include "core/signals.h"
+#include "sinks/homomorphism.h"
 #include "sinks/tee.h"
 
 #include <stdio.h>
@@ -18,31 +19,44 @@ typedef struct Outputs {
   LsysOut *screen;  // standard output
   LsysSink *sinks[MOST_SINKS];
   size_t count;
-  bool only_counts;  // nothing but --count: no word is needed where there is a growth matrix
+  bool only_counts;  // nothing but --count of the derived word: a growth matrix can tell
 } Outputs;
 
-static bool add_sink(Outputs *outputs, LsysSinkContext context, LsysSinkCreate *create, LsysOut *out) {
+// Adds a format's sink, behind the homomorphism if it draws or the option asks for it.
+static bool add_sink(Outputs *outputs, LsysSinkContext context, LsysSinkCreate *create, LsysReads reads, LsysOut *out) {
   context.out = out;
   LsysSink *sink = create(&context);
+  bool shown = reads == LSYS_READS_FIGURE || context.options->at[LSYS_OPTION_HOMOMORPHISM].given;
+  if (sink && shown && context.grammar->homomorphism) sink = lsys_sink_homomorphism(&context, sink);
   if (sink) outputs->sinks[outputs->count++] = sink;
   return sink;
 }
 
+static bool add_reports(Outputs *outputs, const LsysSinkContext *context) {
+  const LsysOptionValue *options = context->options->at;
+  bool stats = options[LSYS_OPTION_STATS].given;
+  if ((stats || options[LSYS_OPTION_COUNTS].given)
+      && !add_sink(outputs, *context, lsys_sink_count, LSYS_READS_WORD, outputs->screen))
+    return false;
+  if (stats && !add_sink(outputs, *context, lsys_sink_stats, LSYS_READS_FIGURE, outputs->screen)) return false;
+  return !options[LSYS_OPTION_HASH].given
+      || add_sink(outputs, *context, lsys_sink_hash, LSYS_READS_WORD, outputs->screen);
+}
+
 // Reports go to standard output; the word too, unless it has a file or only reports were asked for.
-static bool open_outputs(Outputs *outputs, LsysSinkContext context) {
-  const LsysOptionValue *options = context.options->at;
-  const LsysOptionValue *path = &options[LSYS_OPTION_OUTPUT], *format_name = &options[LSYS_OPTION_FORMAT];
-  bool count = options[LSYS_OPTION_COUNTS].given, hash = options[LSYS_OPTION_HASH].given;
-  bool word = path->given || format_name->given || !(count || hash);
-  const LsysFormat *format = word ? lsys_format_find(format_name->text, path->given ? path->text : "-") : NULL;
-  if (word && !format) return false;
-  outputs->only_counts = count && !hash && !word;
+static bool open_outputs(Outputs *outputs, const LsysSinkContext *context) {
+  const LsysOptionValue *options = context->options->at;
+  const LsysOptionValue *path = &options[LSYS_OPTION_OUTPUT], *name = &options[LSYS_OPTION_FORMAT];
+  bool to_file = path->given && strcmp(path->text, "-") != 0;
   outputs->screen = lsys_out_open("-");
-  if (path->given && strcmp(path->text, "-")) outputs->file = lsys_out_open(path->text);
-  if (!outputs->screen || (path->given && strcmp(path->text, "-") && !outputs->file)) return false;
-  return (!word || add_sink(outputs, context, format->create, outputs->file ? outputs->file : outputs->screen))
-      && (!count || add_sink(outputs, context, lsys_sink_count, outputs->screen))
-      && (!hash || add_sink(outputs, context, lsys_sink_hash, outputs->screen));
+  if (!outputs->screen || !add_reports(outputs, context)) return false;
+  outputs->only_counts = options[LSYS_OPTION_COUNTS].given && outputs->count == 1
+                      && !(context->grammar->homomorphism && options[LSYS_OPTION_HOMOMORPHISM].given);
+  if (outputs->count && !path->given && !name->given) return true;
+  outputs->only_counts = false;
+  const LsysFormat *format = lsys_format_find(name->text, path->given ? path->text : "-");
+  if (!format || (to_file && !(outputs->file = lsys_out_open(path->text)))) return false;
+  return add_sink(outputs, *context, format->create, format->reads, to_file ? outputs->file : outputs->screen);
 }
 
 // Completes the files if all went well, else removes them.
@@ -77,7 +91,7 @@ static bool run(const LsysGrammar *grammar, const LsysOptions *options) {
   LsysDerivation derivation;
   Outputs outputs = {0};
   bool well = lsys_derivation_open(&derivation, grammar, options, &memory);
-  well = well && open_outputs(&outputs, (LsysSinkContext){grammar, options, &memory, NULL});
+  well = well && open_outputs(&outputs, &(LsysSinkContext){grammar, options, &memory, NULL});
   well = well && derive_into(&derivation, &outputs);
   well = close_outputs(&outputs, well);
   lsys_derivation_close(&derivation);
