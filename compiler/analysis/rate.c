@@ -112,7 +112,7 @@ static void apply(const Graph *graph, uint32_t c, const double *x, double *y) {
 static double radius(const Graph *graph, uint32_t c, double *x, double *y) {
   enum { MOST_ITERATIONS = 20000 };
   uint32_t from = graph->first[c], to = graph->first[c + 1];
-  double low = 0, high = INFINITY;
+  double low = 0, high = 1;
   for (uint32_t m = from; m < to; m++) x[graph->members[m]] = 1;
   for (int i = 0; i < MOST_ITERATIONS && high - low > 1e-13 * high; i++) {
     apply(graph, c, x, y);
