@@ -105,6 +105,41 @@ static void roll_to_vertical(LsysTurtle *t) {
   f->u = vec_cross(f->h, f->l);
 }
 
+// @R: the frame whose heading is h and whose up vector is as near as can be to u.
+static void head_to(LsysTurtle *t, int given, const double *arg) {
+  LsysVec3 h = {arg[0], arg[1], given > 2 ? arg[2] : 0}, u = t->state.frame.u;
+  if (given >= 6) u = (LsysVec3){arg[3], arg[4], arg[5]};
+  if (vec_length(h) == 0 || !isfinite(vec_length(h))) return;
+  h = vec_unit(h);
+  LsysVec3 l = vec_cross(u, h);
+  if (vec_length(l) < 1e-12 * (1 + vec_length(u))) l = vec_sum(t->state.frame.l, 1, h, -vec_dot(t->state.frame.l, h));
+  if (vec_length(l) < 1e-12) l = vec_cross(t->state.frame.h, h);
+  l = vec_unit(l);
+  t->state.frame = (Frame){h, l, vec_cross(h, l)};
+}
+
+// Bends the frame towards the tropism by e |H x T| radians (ABOP p. 58), never beyond it.
+static void bend(LsysTurtle *t) {
+  Frame *f = &t->state.frame;
+  LsysVec3 axis = vec_cross(f->h, t->tropism);
+  double sine = vec_length(axis), angle = t->state.elasticity * sine;
+  if (t->flat || !(fabs(angle) > 1e-15)) return;
+  double most = angle > 0 ? atan2(sine, vec_dot(f->h, t->tropism)) : atan2(sine, -vec_dot(f->h, t->tropism));
+  angle = copysign(fmin(fabs(angle), most), angle);
+  axis = vec_scale(axis, 1 / sine);
+  double c = cos(angle), s = sin(angle);
+  *f = (Frame){vec_about(f->h, axis, c, s), vec_about(f->l, axis, c, s), vec_about(f->u, axis, c, s)};
+  frame_straighten(f);
+}
+
+static void set_elasticity(LsysTurtle *t, int given, const double *arg, double base, double sign) {
+  if (given && arg[0] != 1) {
+    turtle_warn(t, WARN_TROPISM, t->read, "there is one tropism only, number 1: the module is left out");
+    return;
+  }
+  t->state.elasticity = base + sign * (given > 1 ? arg[1] : 0);
+}
+
 // ---- moves ---------------------------------------------------------------
 
 static void go(LsysTurtle *t, LsysVec3 direction, double length) {
@@ -120,7 +155,7 @@ static LsysVec3 heading(const LsysTurtle *t) {
 }
 
 static double length_of(const LsysTurtle *t, int given, const double *arg) {
-  return given ? arg[0] : t->step * t->state.scale;
+  return (given ? arg[0] : t->step * t->state.scale) * t->state.size;
 }
 
 static bool vertex(LsysTurtle *t) {
@@ -139,6 +174,7 @@ static bool move(LsysTurtle *t, LsysVec3 direction, double length, bool draw, bo
   edge = edge && t->polygons;
   if (edge && t->vertices == t->polygon[t->polygons - 1] && !vertex(t)) return false;
   go(t, direction, length);
+  bend(t);
   if (draw) {
     turtle_draw_to(t);
   } else {
@@ -147,8 +183,8 @@ static bool move(LsysTurtle *t, LsysVec3 direction, double length, bool draw, bo
   return !edge || vertex(t);
 }
 
-static double width_of(double width) {
-  return width > 0 ? width : 0;
+static double width_of(const LsysTurtle *t, double width) {
+  return width > 0 ? width * t->state.size : 0;
 }
 
 // F(l,w): the width is that of this segment only.
@@ -156,11 +192,17 @@ static bool draw(LsysTurtle *t, bool edge, int arity, const double *arg) {
   if (arity != 2) return move(t, heading(t), length_of(t, arity, arg), true, edge);
   double width = t->state.width;
   turtle_change_pen(t);
-  t->state.width = width_of(arg[1]);
-  bool ok = move(t, heading(t), arg[0], true, edge);
+  t->state.width = width_of(t, arg[1]);
+  bool ok = move(t, heading(t), arg[0] * t->state.size, true, edge);
   turtle_change_pen(t);
   t->state.width = width;
   return ok;
+}
+
+static void move_to(LsysTurtle *t, int given, const double *arg) {
+  t->state.at = (Pair){arg[0], arg[1]};
+  t->state.z = given > 2 ? arg[2] : 0;
+  turtle_jump(t);
 }
 
 static LsysVec3 second_direction(const LsysTurtle *t) {
@@ -193,7 +235,12 @@ static bool polygon_end(LsysTurtle *t) {
 
 static void set_width(LsysTurtle *t, double width) {
   turtle_change_pen(t);
-  t->state.width = width_of(width);
+  t->state.width = width;
+}
+
+// Scales are positive: others, and what would overflow, are left out.
+static void set_size(LsysTurtle *t, double size) {
+  if (size > 0 && isfinite(size)) t->state.size = size;
 }
 
 // Colour indices go round: 256 is 0.
@@ -229,6 +276,7 @@ bool turtle_act(LsysTurtle *t, const KindInfo *kind, const double *arg) {
     t->skip_next = false;
     return true;
   }
+  if (given < lsys_turtle[kind->op].least) return true;  // another symbol of the same name: it draws nothing
   if (given && !arguments_finite(kind, arg)) {
     turtle_warn(t, WARN_NOT_FINITE, t->read, "the module is left out: its argument is nan or infinite");
     return true;
@@ -286,10 +334,10 @@ bool turtle_act(LsysTurtle *t, const KindInfo *kind, const double *arg) {
   case LSYS_TURTLE_POLYGON_END:
     return polygon_end(t);
   case LSYS_TURTLE_WIDTH:
-    set_width(t, given ? arg[0] : t->state.width * THINNER);
+    set_width(t, given ? width_of(t, arg[0]) : t->state.width * THINNER);
     return true;
   case LSYS_TURTLE_WIDTH_UP:
-    set_width(t, given ? arg[0] : t->state.width / THINNER);
+    set_width(t, given ? width_of(t, arg[0]) : t->state.width / THINNER);
     return true;
   case LSYS_TURTLE_COLOUR_NEXT:
   case LSYS_TURTLE_COLOUR_UP:
@@ -312,6 +360,32 @@ bool turtle_act(LsysTurtle *t, const KindInfo *kind, const double *arg) {
     return true;
   case LSYS_TURTLE_SECOND_TURN:
     t->state.second = fmod(t->state.second + left * (given ? arg[0] : 0), 360);
+    return true;
+  case LSYS_TURTLE_CUT:
+    return true;
+  case LSYS_TURTLE_MOVE_TO:
+    move_to(t, given, arg);
+    return true;
+  case LSYS_TURTLE_HEAD_TO:
+    head_to(t, given, arg);
+    return true;
+  case LSYS_TURTLE_SCALE:
+    set_size(t, arg[0]);
+    return true;
+  case LSYS_TURTLE_SCALE_UP:
+    set_size(t, t->state.size * arg[0]);
+    return true;
+  case LSYS_TURTLE_SCALE_DOWN:
+    set_size(t, t->state.size / arg[0]);
+    return true;
+  case LSYS_TURTLE_TROPISM_SET:
+    set_elasticity(t, given, arg, 0, 1);
+    return true;
+  case LSYS_TURTLE_TROPISM_UP:
+    set_elasticity(t, given, arg, t->state.elasticity, 1);
+    return true;
+  case LSYS_TURTLE_TROPISM_DOWN:
+    set_elasticity(t, given, arg, t->state.elasticity, -1);
     return true;
   case LSYS_TURTLE_SURFACE:
     t->skip_next = true;

@@ -19,14 +19,16 @@ typedef struct State {
   double width;      // >= 0
   uint32_t heading;  // index into Turtle.directions
   uint8_t colour;
-  bool swapped;     // @x: + turns right
-  uint16_t turned;  // rotations since the frame was straightened
-  double z;         // ---- from here on saved only by turtles that need it
-  double extra;     // degrees that the turtle is turned beyond directions[heading]
-  Pair direction;   // its heading, where extra is not 0
-  double second;    // degrees of the second direction (@a), from +x
-  double scale;     // of default lengths (@s)
-  Frame frame;      // of a turtle that leaves the page
+  bool swapped;       // @x: + turns right
+  uint16_t turned;    // rotations since the frame was straightened
+  double z;           // ---- from here on saved only by turtles that need it
+  double extra;       // degrees that the turtle is turned beyond directions[heading]
+  Pair direction;     // its heading, where extra is not 0
+  double second;      // degrees of the second direction (@a), from +x
+  double scale;       // of default lengths (@s)
+  double size;        // of all lengths and widths (@D)
+  double elasticity;  // how much moves bend towards the tropism
+  Frame frame;        // of a turtle that leaves the page
 } State;
 
 enum { STATE_SMALL = offsetof(State, z) };
@@ -52,14 +54,16 @@ struct LsysTurtle {
   LsysGeometry *to;
   State state;
 
-  bool flat;          // z stays 0
+  bool flat;          // directions are those of the table, z stays 0; else the frame
+  bool in_page;       // z stays 0
   bool plain;         // the fast loop can be used
   bool skip_next;     // the module behind `~`
   size_t state_size;  // bytes of State that brackets save
 
   double angle, step;         // defaults; step in lattice units
   double turn_cos, turn_sin;  // of the default angle
-  bool clockwise;             // turns:
+  LsysVec3 tropism;
+  bool clockwise;  // turns:
   State start;
   Directions directions;
   KindInfo *kind;
@@ -102,7 +106,7 @@ bool turtle_pop(LsysTurtle *t);
 // Does the state allow the fast loop? Turns and lengths have to mean what its table says.
 static inline bool turtle_is_plain(const LsysTurtle *t) {
   const State *s = &t->state;
-  return t->plain && s->extra == 0 && s->scale == 1 && !s->swapped && !t->skip_next && !t->polygons;
+  return t->plain && s->extra == 0 && s->scale * s->size == 1 && !s->swapped && !t->skip_next && !t->polygons;
 }
 
 // plain.c: reads modules while they are plain; returns how many. Sets *ok to false to stop.
@@ -114,6 +118,7 @@ typedef enum TurtleWarning {
   WARN_CLOSE,
   WARN_NOT_FINITE,
   WARN_OPEN_POLYGON,
+  WARN_TROPISM,
 } TurtleWarning;
 
 // Prints a warning about the current module, once for each kind of warning.

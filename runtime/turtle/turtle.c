@@ -41,7 +41,8 @@ bool turtle_grow(void *array, size_t *room, size_t count, size_t size) {
 
 // What a grammar's symbols can make a turtle do.
 typedef struct Abilities {
-  bool leaves_page;  // rotates about other axes than U
+  bool leaves_page;  // rotates about other axes than U, or goes to places with a z
+  bool free_frame;   // takes any heading
   bool any_length;   // moves whose length is not the default one
   bool any_angle;    // turns by an argument
   bool more_state;   // changes of State beyond its small part
@@ -76,6 +77,24 @@ static Abilities abilities(const LsysGrammar *g) {
       break;
     case LSYS_TURTLE_SECOND_TURN:
       can.more_state = true;
+      break;
+    case LSYS_TURTLE_SCALE:
+    case LSYS_TURTLE_SCALE_UP:
+    case LSYS_TURTLE_SCALE_DOWN:
+      can.any_length = can.more_state = true;
+      break;
+    case LSYS_TURTLE_MOVE_TO:
+      can.any_length = true;
+      can.leaves_page |= g->kinds[i].arity > 2;
+      break;
+    case LSYS_TURTLE_HEAD_TO:
+      can.free_frame = true;
+      can.leaves_page |= g->kinds[i].arity > 2;
+      break;
+    case LSYS_TURTLE_TROPISM_SET:
+    case LSYS_TURTLE_TROPISM_UP:
+    case LSYS_TURTLE_TROPISM_DOWN:
+      can.free_frame = true;
       break;
     default:
       break;
@@ -143,7 +162,12 @@ static bool set_up(LsysTurtle *t) {
   const LsysGrammar *g = t->run->grammar;
   Abilities can = abilities(g);
   double heading = setting(t->run, LSYS_SETTING_HEADING);
-  t->flat = !can.leaves_page;
+  t->tropism = (LsysVec3){setting(t->run, LSYS_SETTING_TROPISM_X), setting(t->run, LSYS_SETTING_TROPISM_Y),
+                          setting(t->run, LSYS_SETTING_TROPISM_Z)};
+  double elasticity = setting(t->run, LSYS_SETTING_ELASTICITY);
+  bool bends = can.free_frame || elasticity != 0;
+  t->in_page = !can.leaves_page && !(bends && t->tropism.z != 0);
+  t->flat = t->in_page && !bends;
   t->angle = setting(t->run, LSYS_SETTING_ANGLE);
   t->turn_cos = lsys_cos(t->angle);
   t->turn_sin = lsys_sin(t->angle);
@@ -159,6 +183,8 @@ static bool set_up(LsysTurtle *t) {
                      .colour = (uint8_t)(colour < 0 ? colour + 256 : colour),
                      .second = heading,
                      .scale = 1,
+                     .size = 1,
+                     .elasticity = elasticity,
                      .frame = first_frame(&t->directions)};
   t->kind = calloc(g->kind_count + 1, sizeof *t->kind);
   t->plain_kind = calloc(g->kind_count + 1, sizeof *t->plain_kind);
@@ -199,7 +225,7 @@ void lsys_turtle_destroy(LsysTurtle *t) {
 }
 
 bool lsys_turtle_flat(const LsysTurtle *t) {
-  return t->flat;
+  return t->in_page;
 }
 
 // ---- reading -------------------------------------------------------------

@@ -45,6 +45,12 @@ static inline void vec_turn(LsysVec3 *a, LsysVec3 *b, double c, double s) {
   *a = turned;
 }
 
+// Turns v about a unit axis by the angle whose cosine and sine are c and s (Rodrigues).
+static inline LsysVec3 vec_about(LsysVec3 v, LsysVec3 axis, double c, double s) {
+  LsysVec3 turned = vec_sum(v, c, vec_cross(axis, v), s);
+  return vec_sum(turned, 1, axis, vec_dot(axis, v) * (1 - c));
+}
+
 // Makes the frame orthonormal again; H keeps its direction.
 static inline void frame_straighten(Frame *f) {
   f->h = vec_unit(f->h);

@@ -11,7 +11,7 @@
 // @s(2); every pair of symbol and number of arguments is a kind.
 typedef struct Sample {
   LsysKind kind[64];
-  char name[64][3];
+  char name[64][4];
   LsysGrammar grammar;
   LsysRun run;
   double value[LSYS_SETTING_COUNT];
@@ -36,8 +36,9 @@ static inline void sample_word(Sample *s, const char *text) {
   s->sym = malloc(strlen(text) + 1);
   s->arg = malloc((strlen(text) + 1) * sizeof *s->arg);
   while (*text) {
-    char symbol[3] = {*text++};
+    char symbol[4] = {*text++};
     if (*symbol == '@') symbol[1] = *text++;
+    if (*symbol == '@' && strchr("DTGP", symbol[1]) && *text && strchr("idspfcetSCD", *text)) symbol[2] = *text++;
     uint16_t arity = 0;
     while (*text == (arity ? ',' : '(')) {
       char *end;

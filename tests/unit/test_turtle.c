@@ -230,6 +230,38 @@ static void scales_and_second_directions(void **state) {
   assert_at(draw_text("|(90)F@x|(90)F", 90, &m), -1, -1, 0);
 }
 
+// Symbols that set the turtle's state outright.
+static void set_the_state(void **state) {
+  (void)state;
+  LsysMeasure m;
+  assert_at(draw_text("@M(3,4)F", 90, &m), 3, 5, 0);
+  assert_at(draw_text("@M(3,4,5)F", 90, &m), 3, 5, 5);
+  assert_at(draw_text("@R(1,0)F", 90, &m), 1, 0, 0);
+  assert_at(draw_text("@R(0,0,2)F+(90)F", 90, &m), -1, 0, 1);
+  assert_at(draw_text("@R(0,1,0,1,0,0)&F", 90, &m), -1, 0, 0);
+  assert_at(draw_text("@D(2)F[@D(3)F(2)]F", 90, &m), 0, 4, 0);
+  assert_at(m.high, 0, 8, 0);
+}
+
+// ABOP p. 58: each segment turns H by e |H x T| radians towards T, and never beyond it.
+static void bends_towards_the_tropism(void **state) {
+  (void)state;
+  LsysMeasure m;
+  for (int space = 0; space < 2; space++) {
+    Sample *s = sample(space ? "F/F" : "FF", 90);
+    s->value[LSYS_SETTING_TROPISM_X] = 1;
+    s->value[LSYS_SETTING_ELASTICITY] = 0.5;
+    assert_at(draw(s, &m, UINT64_MAX), sin(0.5), 1 + cos(0.5), 0);
+    s->value[LSYS_SETTING_ELASTICITY] = 50;
+    assert_at(draw(s, &m, UINT64_MAX), 1, 1, 0);
+    sample_release(s);
+  }
+  Sample *s = sample("F@Ts(1,0.5)FF[@Ti(1,9)]@Td(1,0.5)F", 90);
+  s->value[LSYS_SETTING_TROPISM_X] = 1;
+  assert_at(draw(s, &m, UINT64_MAX), sin(0.5) + sin(0.5 + 0.5 * cos(0.5)), 2 + cos(0.5) + cos(0.5 + 0.5 * cos(0.5)), 0);
+  sample_release(s);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(starts_up_the_page),
@@ -241,6 +273,8 @@ int main(void) {
     cmocka_unit_test(moves_without_drawing),
     cmocka_unit_test(scales_and_second_directions),
     cmocka_unit_test(polygons),
+    cmocka_unit_test(set_the_state),
+    cmocka_unit_test(bends_towards_the_tropism),
     cmocka_unit_test(odd_words_have_a_result),
     cmocka_unit_test(many_open_brackets),
   };
