@@ -190,7 +190,8 @@ typedef struct Value {
 typedef struct UserFunction {  // #define NAME(a,b) expr; never recursive
   const char *name;
   uint32_t arity;
-  Expr *body;  // parameters are EXPR_PARAMETER slots 0..arity-1
+  const char **slot_names;  // of its parameters
+  Expr *body;               // parameters are EXPR_PARAMETER slots 0..arity-1
   Span span;
   bool draws;  // a call can draw a random number
 } UserFunction;

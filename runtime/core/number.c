@@ -4,7 +4,7 @@
 // Source: Raffaello Giulietti, "The Schubfach way to render doubles" (2021).
 // x = c * 2^q; a 128-bit approximation of a power of ten scales the interval of
 // decimals that round to x so that only two candidates are left to compare.
-#include "core/number.h"
+#include "lsys/number.h"
 
 #include <pthread.h>
 #include <string.h>

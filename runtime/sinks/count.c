@@ -2,8 +2,8 @@
 // together, in the order in which symbols first stand in the grammar.
 #include "sinks/count.h"
 
-#include "core/number.h"
 #include "core/stream.h"
+#include "lsys/number.h"
 
 #include <string.h>
 

@@ -5,8 +5,8 @@
 // decides whether it would swallow more than the module's own symbol. Symbols
 // that could are `careful`; a grammar without any is written straight through.
 #include "core/formats.h"
-#include "core/number.h"
 #include "core/stream.h"
+#include "lsys/number.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -6,8 +6,8 @@
 
 #include <cmocka.h>
 
-#include "core/number.h"
 #include "lsys/keys.h"
+#include "lsys/number.h"
 
 #include <math.h>
 #include <stdio.h>

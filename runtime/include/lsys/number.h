@@ -1,6 +1,6 @@
 // number.h -- numbers as text: the shortest digits that read back to the same double.
-#ifndef LSYS_CORE_NUMBER_H
-#define LSYS_CORE_NUMBER_H
+#ifndef LSYS_NUMBER_H
+#define LSYS_NUMBER_H
 
 #include <stdint.h>
 
