@@ -93,11 +93,6 @@ typedef struct Declaration {
   uint32_t next;  // another one of the same name, NONE
 } Declaration;
 
-// Where modules of a kind stand.
-typedef struct KindUse {
-  bool in_word, predecessor;
-} KindUse;
-
 typedef enum Side { SIDE_LEFT, SIDE_STRICT, SIDE_RIGHT } Side;
 
 // ---- L-systems -------------------------------------------------------------------
@@ -144,7 +139,7 @@ typedef struct Check {
 
   Map *kind_map, *declaration_map;
   VEC(Kind) kinds;
-  VEC(KindUse) uses;
+  VEC(bool) predecessor;  // per kind: some production replaces it
   VEC(Declaration) declarations;
 
   Map *system_map, *table_map;
@@ -188,15 +183,18 @@ void check_systems(Check *check);
 void check_warnings(Check *check);
 void check_families(Check *check);
 
+// check_reach.c: per kind, can it come to stand in a word?
+const bool *check_reachable(Check *check);
+
 // ---- what the steps use -------------------------------------------------------------------
 
 // check_names.c
 Name *name_intern(Check *check, const char *text);
 Definition *name_definition(const Check *check, const Name *name);
 void name_unknown(Check *check, Name *name, Span span, bool call);
-void scope_begin(Check *check, ScopeKind kind);
-uint32_t scope_bind(Check *check, const char *name, Span span);
-Slot *scope_slot(const Check *check, const Name *name);  // NULL: not bound there
+void check_scope(Check *check, ScopeKind kind);
+uint32_t check_bind(Check *check, const char *name, Span span);
+Slot *check_bound(const Check *check, const Name *name);  // NULL: not bound there
 
 // check_expressions.c
 Expr *check_expression(Check *check, const AstExpr *ast);
@@ -221,6 +219,7 @@ Expr *check_match(Check *check);
 // check_productions.c, check_actions.c, check_values.c: one statement
 void check_production(Check *check, const AstStatement *statement);
 Actions check_actions(Check *check, const AstActions *actions);
+void values_begin(Check *check);  // once all values and functions are collected
 void check_definition(Check *check, const AstStatement *statement);
 void check_arrays(Check *check, const AstStatement *statement);
 

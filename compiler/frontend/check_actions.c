@@ -11,7 +11,7 @@ static Actions actions_of(Check *check, const AstActions *actions);
 
 static void assign_name(Check *check, const AstExpr *target, Action *action) {
   Name *name = name_intern(check, target->name);
-  const Slot *slot = scope_slot(check, name);
+  const Slot *slot = check_bound(check, name);
   if (slot) {
     action->kind = ACTION_SET_LOCAL;
     action->slot = name->slot;
@@ -23,7 +23,7 @@ static void assign_name(Check *check, const AstExpr *target, Action *action) {
     diag_note(check->diag, name_definition(check, name)->span, "it is defined here");
   } else {
     action->kind = ACTION_SET_LOCAL;
-    action->slot = scope_bind(check, name->text, target->span);
+    action->slot = check_bind(check, name->text, target->span);
     check->scope.slots.at[action->slot].used = true;
   }
 }

@@ -88,7 +88,7 @@ static Expr *defined(Check *check, const Name *name, Definition *definition, Spa
 
 static Expr *named(Check *check, const AstExpr *ast) {
   Name *name = name_intern(check, ast->name);
-  Slot *slot = scope_slot(check, name);
+  Slot *slot = check_bound(check, name);
   if (slot) {
     slot->used = true;
     Expr *expr = node(check, EXPR_PARAMETER, ast->span);
@@ -189,7 +189,7 @@ static Expr *called(Check *check, const AstExpr *ast) {
   Definition *definition = name_definition(check, name);
   LsysFunction function = function_named(ast->name);
   if (function != LSYS_FN_COUNT) return call(check, ast, function);
-  if (scope_slot(check, name) || name->global != NONE) {
+  if (check_bound(check, name) || name->global != NONE) {
     diag_error(check->diag, ast->span, "`%s` is a number and takes no arguments", ast->name);
     diag_hint(check->diag, "for a product write `%s*(...)`", ast->name);
   } else if (definition) {

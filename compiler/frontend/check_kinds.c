@@ -40,16 +40,16 @@ static void declare_module(Check *check, const AstStatement *statement) {
   declaration->has_arity = true;
   declaration->arity = arity;
   declaration->arg_names = arena_array(check->arena, arity, sizeof *declaration->arg_names);
-  scope_begin(check, SCOPE_CONSTANT);
+  check_scope(check, SCOPE_CONSTANT);
   for (uint32_t i = 0; i < arity; i++) {
     const AstSymbol *argument = &statement->symbols.at[i];
     declaration->arg_names[i] = argument->name;
-    const Slot *slot = scope_slot(check, name_intern(check, argument->name));
+    const Slot *slot = check_bound(check, name_intern(check, argument->name));
     if (slot) {
       diag_error(check->diag, argument->span, "two arguments of `%s` are called `%s`", statement->name, argument->name);
       diag_note(check->diag, slot->span, "the other one is here");
     }
-    scope_bind(check, argument->name, argument->span);
+    check_bind(check, argument->name, argument->span);
   }
 }
 
@@ -114,7 +114,7 @@ KindId kind_of(Check *check, const char *symbol, size_t arity, Span span) {
   KindId id = *place = (uint32_t)check->kinds.count;
   Kind *kind = VEC_PUSH(check->arena, &check->kinds);
   *kind = (Kind){.symbol = symbol, .arity = (uint32_t)arity, .turtle = lsys_turtle_op(symbol), .span = span};
-  *VEC_PUSH(check->arena, &check->uses) = (KindUse){false, NONE};
+  *VEC_PUSH(check->arena, &check->predecessor) = false;
   check_declared(check, kind);
   check_limits(check, kind);
   return id;

@@ -36,14 +36,14 @@ Definition *name_definition(const Check *check, const Name *name) {
 
 // ---- scopes --------------------------------------------------------------------------
 
-void scope_begin(Check *check, ScopeKind kind) {
+void check_scope(Check *check, ScopeKind kind) {
   check->scope.kind = kind;
   check->scope.number = ++check->scopes;
   check->scope.slots.count = 0;
   check->scope.visible = 0;
 }
 
-uint32_t scope_bind(Check *check, const char *name, Span span) {
+uint32_t check_bind(Check *check, const char *name, Span span) {
   Scope *scope = &check->scope;
   uint32_t slot = (uint32_t)scope->slots.count;
   *VEC_PUSH(check->arena, &scope->slots) = (Slot){name, span, false};
@@ -56,7 +56,7 @@ uint32_t scope_bind(Check *check, const char *name, Span span) {
   return slot;
 }
 
-Slot *scope_slot(const Check *check, const Name *name) {
+Slot *check_bound(const Check *check, const Name *name) {
   const Scope *scope = &check->scope;
   return name->scope == scope->number && name->slot < scope->visible ? &scope->slots.at[name->slot] : NULL;
 }
@@ -66,7 +66,7 @@ Slot *scope_slot(const Check *check, const Name *name) {
 static const char *const constants[] = {"pi", "nan", "inf"};
 
 static bool is_bound(const Check *check, const Name *name) {
-  return scope_slot(check, name) || name->global != NONE || name->array != NONE || name->definitions.count;
+  return check_bound(check, name) || name->global != NONE || name->array != NONE || name->definitions.count;
 }
 
 // What could have been meant by a name that is not bound: calls may mean functions too.
@@ -222,7 +222,7 @@ static void place_globals(Check *check) {
 
 void check_collect(Check *check) {
   const Ast *ast = check->ast;
-  scope_begin(check, SCOPE_CONSTANT);
+  check_scope(check, SCOPE_CONSTANT);
   systems_begin(check);
   for (check->statement = 0; check->statement < ast->statements.count; check->statement++) {
     const AstStatement *statement = &ast->statements.at[check->statement];

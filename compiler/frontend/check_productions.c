@@ -57,14 +57,14 @@ static const char **slot_names(const Check *check) {
 static void note_predecessor(Check *check, const Production *production) {
   for (size_t i = 0; i < production->strict.count; i++) {
     const Pattern *pattern = &production->strict.at[i];
-    check->uses.at[pattern->kind].predecessor = true;
+    check->predecessor.at[pattern->kind] = true;
   }
 }
 
 void check_production(Check *check, const AstStatement *statement) {
   const AstProduction *ast = statement->production;
   Production *production = ARENA_NEW(check->arena, Production);
-  scope_begin(check, SCOPE_PRODUCTION);
+  check_scope(check, SCOPE_PRODUCTION);
   check->literals.count = 0;
   production->label = ast->label;
   production->number = check->productions++;

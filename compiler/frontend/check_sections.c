@@ -23,7 +23,7 @@ static void enter_table(Check *check, const AstStatement *statement) {
 static void enter_section(Check *check, const AstStatement *statement, Section section) {
   enter(check, check->system, section);
   if (!statement->value) return;
-  scope_begin(check, SCOPE_CONSTANT);
+  check_scope(check, SCOPE_CONSTANT);
   check->system->depth[section] = check_expression(check, statement->value);
 }
 
@@ -43,7 +43,7 @@ static void read_axiom(Check *check, const AstStatement *statement) {
     diag_hint(check->diag, "it rewrites what stands in `?(%s) ... $` of the main word", check->system->name);
     return;
   }
-  scope_begin(check, SCOPE_AXIOM);
+  check_scope(check, SCOPE_AXIOM);
   for (size_t i = 0; i < statement->words.count; i++)
     *VEC_PUSH(check->arena, &check->axioms) = check_word(check, &statement->words.at[i], "axiom");
 }
@@ -61,7 +61,7 @@ static Expr *turns(Check *check, const char *name, Span span) {
 static void read_setting(Check *check, const AstStatement *statement) {
   unsigned setting = statement->setting;
   if (check->system->number != 0 && strcmp(check->ast->rules.dialect, "cpfg") == 0) return;
-  scope_begin(check, SCOPE_CONSTANT);
+  check_scope(check, SCOPE_CONSTANT);
   if (check->settings[setting]) {
     diag_warning(check->diag, WARN_REDEFINED, statement->span, "`%s:` is given twice; the last one counts",
                  lsys_settings[setting].keyword);
@@ -77,7 +77,7 @@ static void read_setting(Check *check, const AstStatement *statement) {
 }
 
 static void read_seed(Check *check, const AstStatement *statement) {
-  scope_begin(check, SCOPE_CONSTANT);
+  check_scope(check, SCOPE_CONSTANT);
   Expr **seed = check->section == SECTION_MAIN ? &check->seed : &check->system->seed[check->section];
   if (*seed) {
     diag_warning(check->diag, WARN_REDEFINED, statement->span, "`seed:` is given twice; the last one counts");
@@ -88,13 +88,13 @@ static void read_seed(Check *check, const AstStatement *statement) {
 
 static void read_depth(Check *check, const AstStatement *statement) {
   if (!inside_section(check, statement, "`maximum depth:`")) return;
-  scope_begin(check, SCOPE_CONSTANT);
+  check_scope(check, SCOPE_CONSTANT);
   check->system->depth[check->section] = check_expression(check, statement->value);
 }
 
 static void read_block(Check *check, const AstStatement *statement) {
   static const char *const names[] = {"Start", "StartEach", "EndEach", "End"};
-  scope_begin(check, SCOPE_BLOCK);
+  check_scope(check, SCOPE_BLOCK);
   Actions actions = check_actions(check, &statement->actions);
   for (int which = 0; which < 4; which++) {
     if (strcasecmp(statement->name, names[which]) != 0) continue;
@@ -150,7 +150,7 @@ static void read_surface(Check *check, const AstStatement *statement) {
   const AstExpr *value = statement->value;
   Surface *surface = VEC_PUSH(check->arena, &check->surfaces);
   *surface = (Surface){.name = statement->name, .span = statement->span};
-  scope_begin(check, SCOPE_CONSTANT);
+  check_scope(check, SCOPE_CONSTANT);
   if (value->kind == AST_POISON) return;
   if (value->kind == AST_CALL || value->kind == AST_NAME) {
     read_form(check, value, surface);
@@ -239,6 +239,7 @@ static void read_statement(Check *check, const AstStatement *statement) {
 
 void check_statements(Check *check) {
   const Ast *ast = check->ast;
+  values_begin(check);
   enter(check, check->systems.at[0], SECTION_MAIN);
   for (check->statement = 0; check->statement < ast->statements.count && !check->failed; check->statement++)
     read_statement(check, &ast->statements.at[check->statement]);

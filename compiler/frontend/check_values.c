@@ -15,22 +15,31 @@ static const Definition *definition_here(Check *check, const AstStatement *state
 }
 
 static void read_function(Check *check, const AstStatement *statement, const Definition *definition) {
-  scope_begin(check, SCOPE_FUNCTION);
-  for (size_t i = 0; i < statement->symbols.count; i++)
+  UserFunction *function = &check->functions.at[definition->index];
+  function->slot_names = arena_array(check->arena, function->arity, sizeof *function->slot_names);
+  check_scope(check, SCOPE_FUNCTION);
+  for (size_t i = 0; i < statement->symbols.count; i++) {
     check_formal(check, statement->symbols.at[i].name, statement->symbols.at[i].span);
+    function->slot_names[i] = statement->symbols.at[i].name;
+  }
   check->referring = &check->references[check->values.count + definition->index];
-  check->functions.at[definition->index].body = check_expression(check, statement->value);
+  function->body = check_expression(check, statement->value);
   check->referring = NULL;
 }
 
 static void read_value(Check *check, const AstStatement *statement, const Definition *definition) {
   Value *value = &check->values.at[definition->index];
-  scope_begin(check, SCOPE_CONSTANT);
+  check_scope(check, SCOPE_CONSTANT);
   check->referring = &check->references[definition->index];
   value->init = check_expression(check, statement->value);
   check->referring = NULL;
   if (statement->low) value->low = check_expression(check, statement->low);
   if (statement->high) value->high = check_expression(check, statement->high);
+}
+
+void values_begin(Check *check) {
+  size_t nodes = check->values.count + check->functions.count;
+  check->references = arena_array(check->arena, nodes, sizeof *check->references);
 }
 
 void check_definition(Check *check, const AstStatement *statement) {
@@ -199,7 +208,7 @@ static void finish_param(Check *check, Value *param) {
 // ---- arrays ---------------------------------------------------------------------------------
 
 void check_arrays(Check *check, const AstStatement *statement) {
-  scope_begin(check, SCOPE_CONSTANT);
+  check_scope(check, SCOPE_CONSTANT);
   for (size_t i = 0; i < statement->arrays.count; i++) {
     const AstArray *array = &statement->arrays.at[i];
     const Name *name = name_intern(check, array->name);

@@ -87,14 +87,14 @@ static const char *with_arguments(Check *check, uint32_t arity) {
 // `A(x) --> ...` where all words have `A` alone: the production waits for a module that never comes.
 static void warn_arity(Check *check) {
   const Program *program = check->program;
-  Map *words = map_create(check->arena);
+  const bool *reached = check_reachable(check);
+  Map *staying = map_create(check->arena);  // symbol -> a kind in the words that nothing replaces
   for (uint32_t i = 0; i < program->kind_count; i++)
-    if (check->uses.at[i].in_word && !check->uses.at[i].predecessor) *map_place(words, program->kinds[i].symbol, 0) = i;
+    if (reached[i] && !check->predecessor.at[i]) *map_place(staying, program->kinds[i].symbol, 0) = i;
   for (uint32_t i = 0; i < program->kind_count; i++) {
     const Kind *kind = &program->kinds[i];
-    if (check->uses.at[i].in_word || !check->uses.at[i].predecessor) continue;
-    uint32_t other = map_find(words, kind->symbol, 0);
-    if (other == MAP_NONE) continue;
+    uint32_t other = map_find(staying, kind->symbol, 0);
+    if (reached[i] || !check->predecessor.at[i] || other == MAP_NONE) continue;
     diag_warning(check->diag, WARN_ARITY, kind->span, "`%s` %s never stands in a word, only `%s` %s", kind->symbol,
                  with_arguments(check, kind->arity), kind->symbol, with_arguments(check, program->kinds[other].arity));
     diag_note(check->diag, program->kinds[other].span, "such a one is here, and no production replaces it");

@@ -55,7 +55,6 @@ Word check_word(Check *check, const AstWord *word, const char *what) {
       diag_error(check->diag, module->symbol_span,
                  "`@]` asks for the end of a branch and can only stand in a right context");
     KindId kind = kind_of(check, module->symbol, module->args.count, module->span);
-    check->uses.at[kind].in_word = true;
     result.at[i] = (Module){kind, module_arguments(check, module), module->span};
   }
   check_balance(check, word, what);
@@ -78,7 +77,7 @@ static void tell_hidden(Check *check, const Name *name, Span span) {
 
 void check_formal(Check *check, const char *text, Span span) {
   Name *name = name_intern(check, text);
-  const Slot *other = scope_slot(check, name);
+  const Slot *other = check_bound(check, name);
   if (other) {
     diag_error(check->diag, span, "parameter `%s` is used twice", text);
     diag_note(check->diag, other->span, "the first `%s` is here", text);
@@ -87,12 +86,12 @@ void check_formal(Check *check, const char *text, Span span) {
   } else {
     tell_hidden(check, name, span);
   }
-  scope_bind(check, text, span);
+  check_bind(check, text, span);
 }
 
 // A number in a formal position: the argument has to equal it.
 static void literal(Check *check, double value, Span span) {
-  uint32_t slot = scope_bind(check, NULL, span);
+  uint32_t slot = check_bind(check, NULL, span);
   Expr *parts = arena_array(check->arena, 3, sizeof(Expr));
   Expr **args = arena_array(check->arena, 2, sizeof(Expr *));
   parts[0] = (Expr){EXPR_PARAMETER, .slot = slot, .span = span};
@@ -111,7 +110,7 @@ static void formal(Check *check, const AstExpr *arg) {
   } else if (arg->kind == AST_UNARY && arg->op == OP_NEG && arg->a->kind == AST_NUMBER) {
     literal(check, -arg->a->number, arg->span);
   } else {
-    scope_bind(check, NULL, arg->span);
+    check_bind(check, NULL, arg->span);
     if (arg->kind == AST_POISON) return;
     diag_error(check->diag, arg->span, "a parameter of a predecessor is a name or a number");
     diag_hint(check->diag, "ask for a value in the condition: `A(x) : x == ... --> ...`");

@@ -29,7 +29,4 @@ uint64_t expr_hash(const Expr *expr);
 // slots; where it is NULL or has no name the slot prints as `$3`.
 void expr_print(const Program *program, const Expr *expr, const char *const *parameters, FILE *out);
 
-// The shortest decimal number that reads back as x; `nan`, `inf`.
-void number_print(double x, FILE *out);
-
 #endif

@@ -2,8 +2,9 @@
 // precedence asks for. The precedences are operators.def's.
 #include "frontend/expr.h"
 
+#include "lsys/number.h"
+
 #include <math.h>
-#include <stdlib.h>
 
 typedef struct OperatorInfo {
   const char *spelling;
@@ -19,17 +20,9 @@ static const OperatorInfo operators[OP_COUNT] = {
 
 enum { CHOICE_PRECEDENCE = 1, ATOM_PRECEDENCE = 100 };
 
-void number_print(double x, FILE *out) {
-  if (isnan(x)) {
-    fputs("nan", out);
-    return;
-  }
-  char text[40];
-  for (int digits = 1; digits <= 17; digits++) {
-    snprintf(text, sizeof text, "%.*g", digits, x);
-    if (strtod(text, NULL) == x) break;
-  }
-  fputs(text, out);
+static void print_number(double x, FILE *out) {
+  char text[LSYS_NUMBER_SIZE];
+  fwrite(text, 1, (size_t)(lsys_number_print(text, x) - text), out);
 }
 
 static int precedence_of(const Expr *expr) {
@@ -98,7 +91,7 @@ static void print_choice(const Printer *printer, const Expr *expr) {
 static void print_naked(const Printer *printer, const Expr *expr) {
   switch (expr->kind) {
   case EXPR_NUMBER:
-    number_print(expr->number, printer->out);
+    print_number(expr->number, printer->out);
     break;
   case EXPR_PARAMETER:
   case EXPR_VALUE:

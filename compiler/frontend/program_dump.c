@@ -224,20 +224,24 @@ static void dump_value(const Dump *dump, const Value *value) {
   }
   if (value->known && value->init->kind != EXPR_NUMBER) {
     fputs("  is ", dump->out);
-    number_print(value->number, dump->out);
+    print(dump, &(Expr){EXPR_NUMBER, .number = value->number});
   }
   fputc('\n', dump->out);
+}
+
+static void dump_function(const Dump *outer, const UserFunction *function) {
+  Dump dump = {outer->program, function->slot_names, outer->out};
+  fprintf(dump.out, "function %s", function->name);
+  dump_slots(&dump, 0, function->arity);
+  fputs(function->draws ? " draws = " : " = ", dump.out);
+  print(&dump, function->body);
+  fputc('\n', dump.out);
 }
 
 static void dump_values(const Dump *dump) {
   const Program *program = dump->program;
   for (size_t i = 0; i < program->value_count; i++) dump_value(dump, &program->values[program->value_order[i]]);
-  for (size_t i = 0; i < program->function_count; i++) {
-    const UserFunction *function = &program->functions[i];
-    fprintf(dump->out, "function %s/%u%s = ", function->name, function->arity, function->draws ? " (draws)" : "");
-    print(dump, function->body);
-    fputc('\n', dump->out);
-  }
+  for (size_t i = 0; i < program->function_count; i++) dump_function(dump, &program->functions[i]);
   for (size_t i = 0; i < program->array_count; i++) {
     const Array *array = &program->arrays[i];
     fprintf(dump->out, "array %s", array->name);
