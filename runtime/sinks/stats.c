@@ -3,7 +3,7 @@
 //   segments<TAB>n   polygons<TAB>n   colour N<TAB>n for each colour in use   length<TAB>x
 //   low<TAB>x y z    high<TAB>x y z (the bounding box; left out if nothing is drawn)   end<TAB>x y z
 #include "core/formats.h"
-#include "core/number.h"
+#include "lsys/number.h"
 #include "turtle/measure.h"
 #include "turtle/turtle.h"
 
