@@ -166,6 +166,7 @@ typedef struct Ast {
   VEC(AstStatement) statements;
   AstRules rules;
   const SourceFile *file;  // the main file
+  Span extent;             // the part of it that was read; nowhere: all (fractint: one of several systems)
   unsigned call_sites;     // the parser numbers nothing; check counts calls in file order
 } Ast;
 

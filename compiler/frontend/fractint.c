@@ -414,6 +414,7 @@ Ast *fractint_parse(Arena *arena, Sources *sources, struct Diag *diag, const Sou
     bool runs_into_next = *text_at(parser, system->body.end) == '{';
     if (runs_into_next) return ast;
   }
+  ast->extent = system->body;
   read_body(parser, system->body);
   lower(parser, system, ast);
   return ast;
