@@ -6,18 +6,14 @@
 #include "driver/link.h"
 #include "driver/load.h"
 #include "driver/report.h"
-#if __has_include("frontend/fmt.h")
 #include "frontend/fmt.h"
-#else
-#define fmt_print(ast, out) ((void)(ast), (void)(out), report_error("this build has no formatter"))
-#endif
+#include "frontend/fractint.h"
 #include "interp/interp.h"
 
 #include <stdlib.h>
 
 typedef struct Session {
   const Options *options;
-  const char *program;  // argv[0]
   Arena *arena;
   Sources *sources;
   Diag *diag;
@@ -42,8 +38,7 @@ static int run_program(const Session *session, const LsysGrammar *grammar) {
   const Options *options = session->options;
   size_t count = options->passed.count;
   char **argv = arena_array(session->arena, count + 2, sizeof *argv);
-  argv[0] = arena_printf(session->arena, "%s %s %s", session->program, command_table[options->command].name,
-                         options->files.at[0]);
+  argv[0] = arena_printf(session->arena, "lsysc %s %s", command_table[options->command].name, options->files.at[0]);
   for (size_t i = 0; i < count; i++) argv[i + 1] = (char *)options->passed.at[i];
   return lsys_main(grammar, (int)count + 1, argv);
 }
@@ -116,6 +111,7 @@ static int process(Session *session, const char *path) {
   const SourceFile *file = sources_read(session->sources, path, (Span){0}, &why);
   if (!file) return report_error("%s: %s", path, why), EXIT_FAILURE;
 
+  if (options->list_systems) return fractint_list(session->arena, file, stdout), !printed();
   if (options->dump == DUMP_TOKENS) {
     parse_dump_tokens(session->arena, session->sources, session->diag, file, &options->parse, stdout);
     return printed() && !failed(session) ? EXIT_SUCCESS : EXIT_FAILURE;
@@ -144,9 +140,9 @@ static int process(Session *session, const char *path) {
 }
 
 // One file is one compilation: its memory is released before the next one begins.
-static int compile(const Options *options, const char *program, const char *path) {
+static int compile(const Options *options, const char *path) {
   Arena *arena = arena_create();
-  Session session = {.options = options, .program = program, .arena = arena, .sources = sources_create(arena)};
+  Session session = {.options = options, .arena = arena, .sources = sources_create(arena)};
   session.diag = diag_create(arena, session.sources, &options->diag);
   int status = process(&session, path);
   arena_destroy(arena);
@@ -190,7 +186,7 @@ int main(int argc, char **argv) {
   else {
     status = EXIT_SUCCESS;
     for (size_t i = 0; i < options.files.count; i++)
-      if (compile(&options, argv[0], options.files.at[i]) != EXIT_SUCCESS) status = EXIT_FAILURE;
+      if (compile(&options, options.files.at[i]) != EXIT_SUCCESS) status = EXIT_FAILURE;
   }
   arena_destroy(arena);
   return status;

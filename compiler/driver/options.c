@@ -89,6 +89,9 @@ static bool apply(Reader *reader, OptionId id, const char *value, int place) {
   case OPTION_SYSTEM:
     options->parse.system = value;
     break;
+  case OPTION_LIST_SYSTEMS:
+    options->list_systems = true;
+    break;
   case OPTION_DUMP:
     options->dump = (Dump)(place + 1);
     break;

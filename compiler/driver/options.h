@@ -41,7 +41,7 @@ typedef struct Options {
   Command command;
   Strings files;   // of `help`: its topic
   Strings passed;  // run, interp: what goes to the program, in order
-  bool help, version, verbose;
+  bool help, version, verbose, list_systems;
   const char *output;  // -o; NULL: from the file's name
   bool program;        // link a program; otherwise backend.emit says what to write
   BackendOptions backend;
