@@ -1,8 +1,9 @@
 // check.c -- Ast -> Program. Never edits the Ast.
 //
-// Requires: parsed without errors. Ensures: every name is a slot, every
-// symbol a kind, calls of random functions are numbered in file order from 1,
-// and nothing in the Program nests deeper than a pass may recurse.
+// After errors of the parser it looks for further ones in what could be read,
+// and takes nothing for missing. Ensures: every name is a slot, every symbol a
+// kind, calls of random functions are numbered in file order from 1, and
+// nothing in the Program nests deeper than a pass may recurse.
 #include "frontend/check.h"
 
 #include <math.h>
@@ -48,13 +49,13 @@ static void fill(Check *check) {
   program->sites = check->sites;
   Actions *blocks[] = {&program->start, &program->start_each, &program->end_each, &program->end};
   for (int i = 0; i < 4; i++) *blocks[i] = (Actions){check->blocks[i].at, check->blocks[i].count};
-  if (program->axiom_count) return;
+  if (program->axiom_count || check->partial) return;
   diag_error(check->diag, (Span){ast->file->base, ast->file->base}, "the grammar has no start word");
   diag_hint(check->diag, "write one, such as `axiom: A`");
 }
 
 Program *check(Arena *arena, const Ast *ast, Diag *diag) {
-  Check state = {.arena = arena, .diag = diag, .ast = ast};
+  Check state = {.arena = arena, .diag = diag, .ast = ast, .partial = diag_errors(diag) > 0};
   prepare(&state);
   check_collect(&state);
   check_statements(&state);

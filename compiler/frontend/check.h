@@ -127,7 +127,8 @@ typedef struct Check {
   Diag *diag;
   const Ast *ast;
   Program *program;
-  bool failed;  // gave up: nested too deep
+  bool partial;  // there were errors before: what seems to be missing may stand where they are
+  bool failed;   // gave up: nested too deep
 
   Map *name_map;
   VEC(Name *) names;

@@ -62,6 +62,7 @@ static Expr *global(Check *check, const Name *name, Span span) {
   if (check->scope.kind != SCOPE_CONSTANT) return value_of(check, name->global, span);
   diag_error(check->diag, span, "`%s` has no value yet: this is evaluated before the derivation begins", name->text);
   diag_note(check->diag, check->values.at[name->global].span, "the variable is assigned here");
+  diag_hint(check->diag, "use it in productions, blocks, start words, or in the body of a `#define NAME(x) ...`");
   return check->poison;
 }
 

@@ -189,9 +189,9 @@ static void warn_sum(const Families *families, const Family *family, double sum)
   const Production *first = family->members.at[0];
   if (family->members.count == 1) {
     diag_warning(diag, WARN_WEIGHTS, first->weight->span,
-                 "this production competes with none, so it is always taken, whatever its weight of %g", sum);
-    diag_hint(diag,
-              "weights are relative; for nothing to happen at times add a production that leaves the module as it is");
+                 "no other production competes with this one, so it is always taken, whatever its weight of %g", sum);
+    diag_hint(
+      diag, "weights are relative; for nothing to happen at times add a production that replaces the module by itself");
     return;
   }
   diag_warning(diag, WARN_WEIGHTS, first->weight->span, "these weights sum to %.10g, not to 1 or 100", sum);

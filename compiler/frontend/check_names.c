@@ -66,7 +66,7 @@ Slot *check_bound(const Check *check, const Name *name) {
 static const char *const constants[] = {"pi", "nan", "inf"};
 
 static bool is_bound(const Check *check, const Name *name) {
-  return check_bound(check, name) || name->global != NONE || name->array != NONE || name->definitions.count;
+  return check_bound(check, name) || name->global != NONE || name->array != NONE || name_definition(check, name);
 }
 
 // What could have been meant by a name that is not bound: calls may mean functions too.
@@ -87,6 +87,7 @@ void name_unknown(Check *check, Name *name, Span span, bool call) {
   if (name->told == check->scope.number) return;
   name->told = check->scope.number;
   const char *what = call ? "function" : "name", *meant = nearest(check, name->text, call);
+  if (check->partial && !meant) return;
   if (meant)
     diag_error(check->diag, span, "unknown %s `%s`; did you mean `%s`?", what, name->text, meant);
   else
@@ -134,8 +135,8 @@ static bool may_define(Check *check, const Name *name, const AstStatement *state
     return false;
   }
   diag_warning(check->diag, WARN_REDEFINED, statement->name_span, "`%s` is defined twice", name->text);
-  diag_note(check->diag, last->span,
-            "up to here the first #define counts; `#undef %s` between them says that it is meant", name->text);
+  diag_note(check->diag, last->span, "this first definition counts up to the second one");
+  diag_hint(check->diag, "`#undef %s` between them says that this is meant", name->text);
   return true;
 }
 

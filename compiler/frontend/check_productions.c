@@ -28,6 +28,8 @@ static void check_label(Check *check, const AstProduction *ast) {
   diag_warning(check->diag, WARN_LABEL, ast->label_span, "`%s` is read as a label here, but it is also a %s",
                ast->label, definition->param ? "param" : "#define");
   diag_note(check->diag, definition->span, "it is defined here");
+  diag_hint(check->diag, "if `%s` is the module to replace write `%s()`; else give the label another name", ast->label,
+            ast->label);
 }
 
 static void check_unused(Check *check, size_t parameters) {

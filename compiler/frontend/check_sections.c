@@ -52,9 +52,7 @@ static Expr *turns(Check *check, const char *name, Span span) {
   static const char *const names[] = {"counterclockwise", "clockwise"};
   for (int i = 0; i < 2; i++)
     if (strcmp(name, names[i]) == 0) return expr_number(check->arena, i, span);
-  const char *meant = diag_nearest(name, names, 2);
-  diag_error(check->diag, span, "`turns:` is clockwise or counterclockwise%s%s", meant ? "; did you mean " : "",
-             meant ? meant : "");
+  diag_error(check->diag, span, "`turns:` is `clockwise` or `counterclockwise`");
   return check->poison;
 }
 
@@ -141,8 +139,10 @@ static void read_form(Check *check, const AstExpr *value, Surface *surface) {
     return;
   }
   const char *meant = diag_nearest(value->name, names, FORMS);
-  diag_error(check->diag, value->name_span, "unknown form `%s`%s%s%s", value->name, meant ? "; did you mean `" : "",
-             meant ? meant : "", meant ? "`?" : "");
+  if (meant)
+    diag_error(check->diag, value->name_span, "unknown form `%s`; did you mean `%s`?", value->name, meant);
+  else
+    diag_error(check->diag, value->name_span, "unknown form `%s`", value->name);
   diag_hint(check->diag, "a surface is disc(d), sphere(d), box(x,y,z), or the name of an .obj or .s file");
 }
 

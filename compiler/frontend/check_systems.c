@@ -80,7 +80,7 @@ static void unknown(Check *check, const char *what, const char *name, Span span,
   const char *meant = diag_nearest(name, names, count);
   if (meant)
     diag_error(check->diag, span, "unknown %s `%s`; did you mean `%s`?", what, name, meant);
-  else
+  else if (!check->partial)
     diag_error(check->diag, span, "unknown %s `%s`", what, name);
 }
 
@@ -91,7 +91,7 @@ uint32_t system_named(Check *check, const char *name, Span span) {
   const char **names = arena_array(check->arena, count, sizeof *names);
   for (size_t i = 0; i < count; i++) names[i] = check->systems.at[i]->name;
   unknown(check, "L-system", name, span, names, count);
-  if (count == 1) diag_hint(check->diag, "define it with `lsystem: %s` ... `endlsystem`", name);
+  if (count == 1 && !check->partial) diag_hint(check->diag, "define it with `lsystem: %s` ... `endlsystem`", name);
   return NONE;
 }
 
@@ -102,7 +102,7 @@ uint32_t table_named(Check *check, const System *system, const char *name, Span 
   const char **names = arena_array(check->arena, count, sizeof *names);
   for (size_t i = 0; i < count; i++) names[i] = system->tables.at[i].name;
   unknown(check, "table", name, span, names, count);
-  if (count == 0) diag_hint(check->diag, "begin it with `table %s:`", name);
+  if (count == 0 && !check->partial) diag_hint(check->diag, "begin it with `table %s:`", name);
   return NONE;
 }
 
@@ -152,7 +152,7 @@ static void finish_tables(Check *check, const System *system, LSystem *result) {
   for (size_t i = 0; i < system->tables.count; i++) result->tables[i] = system->tables.at[i].name;
   const AstStatement *schedule = system->schedule;
   if (!schedule) {
-    if (system->tables.count && !(check->uses_tables && system->number == 0)) {
+    if (system->tables.count && !(check->uses_tables && system->number == 0) && !check->partial) {
       diag_error(check->diag, system->tables.at[0].span, "no step uses table `%s`", system->tables.at[0].name);
       diag_hint(check->diag, "say which table each step uses with `tables: %s ...`", system->tables.at[0].name);
     }
@@ -171,11 +171,14 @@ static double whole(Check *check, const Expr *expr, const char *what, double low
   double value;
   if (expr == check->poison) return low;
   if (!expr_constant(check->program, expr, &value)) {
-    diag_error(check->diag, expr->span, "%s has to be a constant", what);
+    diag_error(check->diag, expr->span, "%s has to be known when the grammar is compiled", what);
     return low;
   }
   if (value == trunc(value) && value >= low && value <= high) return value;
-  diag_error(check->diag, expr->span, "%s is a whole number from %.0f to %.0f", what, low, high);
+  if (value > low && value == trunc(value))
+    diag_error(check->diag, expr->span, "%s is at most %.0f", what, high);
+  else
+    diag_error(check->diag, expr->span, "%s is a whole number, %.0f or more", what, low);
   return low;
 }
 
@@ -232,14 +235,17 @@ static void finish_settings(Check *check) {
   for (int i = 0; i < LSYS_SETTING_COUNT; i++) program->settings[i] = check->settings[i];
   Expr *steps = program->settings[LSYS_SETTING_STEPS], **turns = &program->settings[LSYS_SETTING_TURNS];
   double value;
-  if (steps && steps != check->poison && expr_constant(program, steps, &value))
+  if (steps && steps != check->poison && expr_constant(program, steps, &value)) {
     whole(check, steps, "the number of steps", 0, LARGEST_WHOLE);
+    if (value > 0 && value < 1) diag_hint(check->diag, "the length of F is given by `step:`");
+  }
   if (check->ast->rules.clockwise && !*turns) *turns = expr_number(check->arena, 1, (Span){0, 0});
   if (check->seed) program->seed = (uint64_t)whole(check, check->seed, "a seed", 0, LARGEST_WHOLE);
 }
 
 void check_systems(Check *check) {
   Program *program = check->program;
+  finish_settings(check);
   program->lsystem_count = check->systems.count;
   program->lsystems = arena_array(check->arena, check->systems.count, sizeof(LSystem));
   for (size_t i = 0; i < check->systems.count; i++) {
@@ -249,5 +255,4 @@ void check_systems(Check *check) {
     finish_system(check, system, &program->lsystems[i]);
   }
   for (size_t i = 0; i < check->kinds.count; i++) check->kinds.at[i].ignored = program->lsystems[0].ignored[i];
-  finish_settings(check);
 }

@@ -80,7 +80,9 @@ static void report_cycle(Check *check, const Visits *path, uint32_t back) {
     uint32_t node = path->at[i].node;
     const Reference *reference = &check->references[node].list.at[path->at[i].next - 1];
     const char *name = node_name(check, node), *other = node_name(check, reference_node(check, reference));
-    if (i == first - 1 && i + 1 == path->count)
+    if (i == first - 1 && i + 1 == path->count && node >= check->values.count)
+      diag_error(check->diag, reference->span, "`%s` calls itself, which a #define cannot", name);
+    else if (i == first - 1 && i + 1 == path->count)
       diag_error(check->diag, reference->span, "`%s` is defined by itself", name);
     else if (i == first - 1)
       diag_error(check->diag, reference->span, "`%s` is defined by itself: it needs `%s`", name, other);

@@ -102,6 +102,16 @@ static void literal(Check *check, double value, Span span) {
   *VEC_PUSH(check->arena, &check->literals) = &parts[2];
 }
 
+// The names of a refused expression are not told to be unknown as well.
+static void excuse_names(Check *check, const AstExpr *expr) {
+  if (!expr) return;
+  if (expr->kind == AST_NAME) name_intern(check, expr->name)->told = check->scope.number;
+  excuse_names(check, expr->a);
+  excuse_names(check, expr->b);
+  excuse_names(check, expr->c);
+  for (size_t i = 0; i < expr->args.count; i++) excuse_names(check, expr->args.at[i]);
+}
+
 static void formal(Check *check, const AstExpr *arg) {
   if (arg->kind == AST_NAME) {
     check_formal(check, arg->name, arg->span);
@@ -112,6 +122,7 @@ static void formal(Check *check, const AstExpr *arg) {
   } else {
     check_bind(check, NULL, arg->span);
     if (arg->kind == AST_POISON) return;
+    excuse_names(check, arg);
     diag_error(check->diag, arg->span, "a parameter of a predecessor is a name or a number");
     diag_hint(check->diag, "ask for a value in the condition: `A(x) : x == ... --> ...`");
   }
@@ -119,9 +130,14 @@ static void formal(Check *check, const AstExpr *arg) {
 
 // ---- patterns --------------------------------------------------------------------------
 
-static PatternKind bracket_in_left(Check *check, const AstModule *module, bool first) {
-  if (is_symbol(module, "[") && first) return PATTERN_OPEN;
-  if (is_symbol(module, "[")) {
+static PatternKind refuse(Check *check, const AstModule *module, Side side) {
+  if (is_symbol(module, "@]")) {
+    diag_error(check->diag, module->symbol_span,
+               "`@]` asks for the end of a branch and can only stand in a right context");
+  } else if (side == SIDE_STRICT) {
+    diag_error(check->diag, module->symbol_span, "`%s` cannot be replaced: brackets keep branches together",
+               module->symbol);
+  } else if (is_symbol(module, "[")) {
     diag_error(check->diag, module->symbol_span, "in a left context `[` can only stand last, next to `<`");
     diag_hint(check->diag, "a left context is the path to the root; `A[ < B` asks that B begin its branch");
   } else {
@@ -131,25 +147,20 @@ static PatternKind bracket_in_left(Check *check, const AstModule *module, bool f
   return PATTERN_MODULE;
 }
 
-static PatternKind pattern_kind(Check *check, const AstModule *module, Side side, bool last) {
-  bool bracket = is_symbol(module, "[") || is_symbol(module, "]");
-  if (is_symbol(module, "@]") && side == SIDE_RIGHT) return PATTERN_END;
-  if (is_symbol(module, "@]")) {
-    diag_error(check->diag, module->symbol_span,
-               "`@]` asks for the end of a branch and can only stand in a right context");
-    return PATTERN_MODULE;
-  }
-  if (side == SIDE_LEFT) return bracket ? bracket_in_left(check, module, last) : PATTERN_MODULE;
-  if (side == SIDE_STRICT) {
-    if (bracket)
-      diag_error(check->diag, module->symbol_span, "`%s` cannot be replaced: brackets keep branches together",
-                 module->symbol);
-    return PATTERN_MODULE;
-  }
+static PatternKind right_kind(const Check *check, const AstModule *module) {
+  if (is_symbol(module, "@]")) return PATTERN_END;
   if (is_symbol(module, "[")) return PATTERN_OPEN;
   if (check->ast->rules.literal_context_brackets) return PATTERN_MODULE;
   if (is_symbol(module, "]")) return PATTERN_CLOSE;
   return is_symbol(module, "=") ? PATTERN_REST : PATTERN_MODULE;
+}
+
+static PatternKind pattern_kind(Check *check, const AstModule *module, Side side, bool last, bool *refused) {
+  if (side == SIDE_RIGHT) return right_kind(check, module);
+  if (side == SIDE_LEFT && last && is_symbol(module, "[")) return PATTERN_OPEN;
+  if (!is_symbol(module, "[") && !is_symbol(module, "]") && !is_symbol(module, "@]")) return PATTERN_MODULE;
+  *refused = true;
+  return refuse(check, module, side);
 }
 
 // A right context never leaves the branch that its module is in.
@@ -168,10 +179,11 @@ static void check_closed(Check *check, const AstWord *word) {
 
 Context check_context(Check *check, const AstWord *word, Side side) {
   Context context = {arena_array(check->arena, word->modules.count, sizeof(Pattern)), word->modules.count};
+  bool refused = false;  // the other bracket of a refused branch is not told too
   for (size_t i = 0; i < context.count; i++) {
     const AstModule *module = &word->modules.at[i];
     Pattern *pattern = &context.at[i];
-    pattern->what = pattern_kind(check, module, side, i + 1 == context.count);
+    pattern->what = refused ? PATTERN_MODULE : pattern_kind(check, module, side, i + 1 == context.count, &refused);
     pattern->span = module->span;
     pattern->slot = (uint32_t)check->scope.slots.count;
     pattern->kind = KIND_NONE;

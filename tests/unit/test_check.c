@@ -145,7 +145,7 @@ static void values_are_ordered(void **state) {
           "define d = 4\ndefine b = c(1)\ndefine a = b * 2\n", "function c(x) = x + d\n", NULL);
   refuses("#define a a+1\naxiom: A(a)\n", "1:11: error: `a` is defined by itself\n");
   refuses("#define a b\n#define b c(1)\n#define c(x) a\naxiom: A\n", "`a` is defined by itself: it needs `b`\n");
-  refuses("#define f(x) f(x-1)\naxiom: A\n", "1:14: error: `f` is defined by itself\n");
+  refuses("#define f(x) f(x-1)\naxiom: A\n", "1:14: error: `f` calls itself, which a #define cannot\n");
 }
 
 static void params_have_ranges(void **state) {
@@ -259,7 +259,7 @@ static void weights(void **state) {
   is_silent("axiom: A(1)\nA(x) : x > 1 --> B : 0.3\nA(x) : x > 1 --> C : 0.3\nA(x) --> D : 0.4\n");
   warns("axiom: A\nA --> B : 0.33\nA --> C : 0.33\nA --> D : 0.33\n",
         "2:11: warning: these weights sum to 0.99, not to 1 or 100 [-Wweights]");
-  warns("axiom: A\nA --> B : 0.5\n", "this production competes with none, so it is always taken");
+  warns("axiom: A\nA --> B : 0.5\n", "no other production competes with this one");
   warns("axiom: A\nA --> B : 0\nA --> C : 1\n", "a production of weight 0 is never chosen");
 }
 
