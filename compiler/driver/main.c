@@ -118,7 +118,10 @@ static int process(Session *session, const char *path) {
   }
   const Ast *ast = parse_file(session->arena, session->sources, session->diag, file, &options->parse);
   if (options->dump == DUMP_AST) ast_dump(ast, stdout);
-  if (failed(session)) return EXIT_FAILURE;
+  if (failed(session)) {
+    check(session->arena, ast, session->diag);  // what else is wrong is told in the same run
+    return EXIT_FAILURE;
+  }
   if (options->dump == DUMP_AST) return printed() ? EXIT_SUCCESS : EXIT_FAILURE;
   if (options->command == COMMAND_FMT) return print_native(session, ast);
 
