@@ -30,8 +30,8 @@ enum { ENGINE_COUNT = sizeof engines / sizeof *engines };
 typedef struct Derivation {
   Case *test;
   const char *grammar;  // path
-  const char *options;  // of lsysc
-  bool threads;         // programs know --threads
+  FileOptions file;
+  bool threads;  // programs know --threads
 } Derivation;
 
 static const char *program_path(const Derivation *d, const char *level) {
@@ -43,7 +43,7 @@ static bool compile(const Derivation *d, const char *level) {
   Strings argv = {0};
   *VEC_PUSH(test->arena, &argv) = test->lsysc;
   *VEC_PUSH(test->arena, &argv) = level;
-  text_split(test->arena, &argv, d->options);
+  text_split(test->arena, &argv, d->file.options);
   *VEC_PUSH(test->arena, &argv) = d->grammar;
   *VEC_PUSH(test->arena, &argv) = "-o";
   *VEC_PUSH(test->arena, &argv) = program_path(d, level);
@@ -64,7 +64,7 @@ static Result run_engine(const Derivation *d, int engine, const char *options, c
   } else {
     *VEC_PUSH(test->arena, &argv) = test->lsysc;
     text_split(test->arena, &argv, engines[engine].command);
-    text_split(test->arena, &argv, d->options);
+    text_split(test->arena, &argv, d->file.options);
     *VEC_PUSH(test->arena, &argv) = d->grammar;
   }
   text_split(test->arena, &argv, options);
@@ -90,7 +90,7 @@ static bool shows_failure(const Test *t, const Result *result) {
 // What the reference printed, after all engines have printed the same; NULL after reporting a failure.
 static const Result *run_view(const Derivation *d, const Test *t, const char *options, View view) {
   Result *reference = ARENA_NEW(d->test->arena, Result);
-  for (int engine = 0; engine < ENGINE_COUNT; engine++) {
+  for (int engine = 0; engine < (d->file.interp_only ? 1 : ENGINE_COUNT); engine++) {
     if (engines[engine].hash_only && (view != VIEW_HASH || !d->threads)) continue;
     Result result = run_engine(d, engine, options, view_options[view]);
     if (!shows_failure(t, &result)) {
@@ -128,10 +128,11 @@ static bool run_seeds(const Derivation *d, Test *t) {
   return expect_all_came(d->test, t);
 }
 
-// Frequencies need more seeds than every engine can be run with: the -O2 program alone.
+// Frequencies need more seeds than every engine can be run with: the -O2 program alone, where there is one.
 static bool run_frequencies(const Derivation *d, Test *t) {
   for (unsigned long seed = t->first_seed; seed <= t->last_seed; seed++) {
-    Result result = run_engine(d, 3, arena_printf(d->test->arena, "%s --seed %lu", t->options, seed), "");
+    Result result =
+      run_engine(d, d->file.interp_only ? 0 : 3, arena_printf(d->test->arena, "%s --seed %lu", t->options, seed), "");
     if (result.status != 0 || !expect_outcome(t, result.out)) {
       case_fail(d->test, t->line, "seed %lu gave: %s", seed, result.out);
       return false;
@@ -145,8 +146,10 @@ static bool knows_threads(const Derivation *d) {
 }
 
 static void run_tests(Derivation *d, const Tests *tests) {
-  if (!compile(d, "-O0") || !compile(d, "-O2")) return;
-  d->threads = knows_threads(d);
+  if (!d->file.interp_only) {
+    if (!compile(d, "-O0") || !compile(d, "-O2")) return;
+    d->threads = knows_threads(d);
+  }
   for (size_t i = 0; i < tests->count; i++) {
     Test *t = &tests->at[i];
     bool passed = t->frequencies ? run_frequencies(d, t) : t->seeded ? run_seeds(d, t) : run_once(d, t, t->options);
@@ -170,7 +173,7 @@ void derive_run(Case *test) {
   }
   Derivation d = {.test = test, .grammar = test->path};
   Tests tests = {0};
-  if (!expect_read(test, text, 0, &tests, &d.options)) return;
+  if (!expect_read(test, text, 0, &tests, &d.file)) return;
   if (tests.count == 0)
     case_fail(test, 0, "has no `test:`");
   else
@@ -181,5 +184,5 @@ void derive_text(Case *test, const char *grammar, unsigned line) {
   const char *text = text_read(test->arena, grammar);
   Derivation d = {.test = test, .grammar = grammar};
   Tests tests = {0};
-  if (text && expect_read(test, text, line, &tests, &d.options) && tests.count > 0) run_tests(&d, &tests);
+  if (text && expect_read(test, text, line, &tests, &d.file) && tests.count > 0) run_tests(&d, &tests);
 }

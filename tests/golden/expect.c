@@ -15,7 +15,7 @@ const char *const view_options[VIEW_COUNT] = {"", "--count", "--stats", "--hash"
 typedef struct Reader {
   Case *test;
   Tests *tests;
-  const char **options;
+  FileOptions *file;
   unsigned line;
   bool wrong;
 } Reader;
@@ -63,7 +63,12 @@ static void add_seeds(Reader *reader, Test *t, const char *text) {
 static void take(Reader *reader, const char *key, const char *value) {
   Arena *arena = reader->test->arena;
   if (strcmp(key, "options") == 0) {
-    *reader->options = value;
+    reader->file->options = value;
+    return;
+  }
+  if (strcmp(key, "engines") == 0) {
+    reader->file->interp_only = strcmp(value, "interp") == 0;
+    if (!reader->file->interp_only) complain(reader, "`engines:` can be interp; without it all run");
     return;
   }
   bool query = strcmp(key, "query") == 0;
@@ -95,8 +100,8 @@ static void take(Reader *reader, const char *key, const char *value) {
 }
 
 static bool is_key(const char *key) {
-  static const char *const keys[] = {"options", "test", "query",    "word",        "count", "length",
-                                     "stats",   "hash", "outcomes", "frequencies", "seeds", "fails"};
+  static const char *const keys[] = {"options", "engines", "test",     "query",       "word",  "count", "length",
+                                     "stats",   "hash",    "outcomes", "frequencies", "seeds", "fails"};
   for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
     if (strcmp(key, keys[i]) == 0) return true;
   return false;
@@ -120,9 +125,9 @@ static void read_line(Reader *reader, const char *line, size_t length) {
   take(reader, key, arena_copy(arena, line + at, length - at));
 }
 
-bool expect_read(Case *test, const char *text, unsigned line, Tests *tests, const char **options) {
-  Reader reader = {.test = test, .tests = tests, .options = options, .line = line};
-  *options = "";
+bool expect_read(Case *test, const char *text, unsigned line, Tests *tests, FileOptions *file) {
+  Reader reader = {.test = test, .tests = tests, .file = file, .line = line};
+  *file = (FileOptions){.options = ""};
   while (*text) {
     size_t length = strcspn(text, "\n");
     reader.line++;

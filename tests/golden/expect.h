@@ -34,8 +34,14 @@ typedef struct Test {
 
 typedef VEC(Test) Tests;
 
+// What a file says of all its tests.
+typedef struct FileOptions {
+  const char *options;  // of lsysc
+  bool interp_only;     // the other engines do not know something in it yet
+} FileOptions;
+
 // Reads the comments of a grammar that stands at `line` of its file. False after reporting what is wrong with them.
-bool expect_read(Case *test, const char *text, unsigned line, Tests *tests, const char **options);
+bool expect_read(Case *test, const char *text, unsigned line, Tests *tests, FileOptions *file);
 
 // Whether the test has to be run with that view.
 bool expect_needs(const Test *t, View view);
