@@ -151,6 +151,7 @@ typedef struct AstStatement {
   AstArrays arrays;
   unsigned setting;
 } AstStatement;
+typedef VEC(AstStatement) AstStatements;
 
 // What a dialect does differently in meaning; set by its parser (LANGUAGE.md section 7).
 typedef struct AstRules {
@@ -163,7 +164,7 @@ typedef struct AstRules {
 } AstRules;
 
 typedef struct Ast {
-  VEC(AstStatement) statements;
+  AstStatements statements;
   AstRules rules;
   const SourceFile *file;  // the main file
   Span extent;             // the part of it that was read; nowhere: all (fractint: one of several systems)

@@ -11,14 +11,18 @@ static AstExpr *node(AstBuilder build, AstExprKind kind, Span span) {
   return expr;
 }
 
+// Takes an operand in. One that was reported poisons the whole, so that it is not reported again.
 static void hold(AstExpr *expr, const AstExpr *operand) {
   if (operand->depth >= expr->depth) expr->depth = operand->depth + 1;
+  if (operand->kind == AST_POISON) expr->kind = AST_POISON;
 }
 
 static AstExpr *checked(AstBuilder build, AstExpr *expr) {
-  if (expr->depth <= AST_DEEPEST) return expr;
-  diag_error(build.diag, expr->span, "this expression is nested too deep; at most %d operators in one another are read",
-             AST_DEEPEST);
+  if (expr->kind != AST_POISON) {
+    if (expr->depth <= AST_DEEPEST) return expr;
+    diag_error(build.diag, expr->span,
+               "this expression is nested too deep; at most %d operators in one another are read", AST_DEEPEST);
+  }
   *expr = (AstExpr){.kind = AST_POISON, .span = expr->span, .depth = 1};
   return expr;
 }

@@ -29,7 +29,7 @@ static double named(Evaluator *e, const AstExpr *expr) {
   if (strcmp(expr->name, "inf") == 0) return INFINITY;
   Statement *define = trie_find(e->defines, expr->name, strlen(expr->name));
   if (!define) return fail(e, expr->span, "`%s` is not defined here; `#ifdef` asks whether a name is", expr->name);
-  parser_statement(e->parser, define);
+  parser_ahead(e->parser, define);
   if (define->ast.count == 0) {  // was reported
     e->failed = true;
     return NAN;

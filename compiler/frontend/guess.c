@@ -54,8 +54,11 @@ static void missing_arrow(Parser *parser, const Statement *s) {
     diag_fix(parser->diag, span, "->");
     return;
   }
-  diag_error(parser->diag, statement_span(s, s->begin, s->end), "this is neither a statement nor a production");
-  diag_hint(parser->diag, "a production has an arrow `->` between predecessor and successor");
+  if (s->colons[0])
+    diag_error(parser->diag, statement_span(s, s->begin, s->end), "this production has no arrow");
+  else
+    diag_error(parser->diag, statement_span(s, s->begin, s->end), "this is neither a statement nor a production");
+  diag_hint(parser->diag, "an arrow `->` stands between predecessor and successor");
 }
 
 void guess_statement(Parser *parser, const Statement *s) {
@@ -64,7 +67,7 @@ void guess_statement(Parser *parser, const Statement *s) {
   if (*s->begin == '#' && s->begin + 1 < s->end && !match.keyword && s->begin[1] >= 'a' && s->begin[1] <= 'z') {
     unknown_directive(parser, s);
   } else if (match.keyword && !letter) {
-    diag_error(parser->diag, statement_span(s, s->begin, match.end), "a `%.*s:` statement needs its `:`",
+    diag_error(parser->diag, statement_span(s, s->begin, match.end), "`%.*s` needs a `:` behind it",
                (int)(match.end - s->begin), s->begin);
     diag_fix(parser->diag, statement_span(s, match.end, match.end), ":");
   } else if (s->colons[0] && !statement_label(s->begin, s->colons[0])) {

@@ -14,7 +14,7 @@ static void declare(Parser *parser, Statement *s) {
   int token = s->first.keyword ? s->first.keyword->token : 0;
   if (token != TOK_MODULES && token != TOK_MODULE && token != TOK_SURFACE) return;
   if (statement_is_production(s, parser->declared)) return;
-  parser_statement(parser, s);
+  parser_ahead(parser, s);
   for (size_t i = 0; i < s->ast.count; i++) {
     const AstStatement *ast = &s->ast.at[i];
     if (ast->name) trie_intern(parser->declared, ast->name, strlen(ast->name));
@@ -41,10 +41,7 @@ Ast *native_parse(Arena *arena, Sources *sources, Diag *diag, const SourceFile *
   Parser parser;
   parser_init(&parser, arena, diag, sources);
   Statements all = read_statements(&parser, sources, file, options);
-  for (size_t i = 0; i < all.count; i++) {
-    parser_statement(&parser, all.at[i]);
-    for (size_t j = 0; j < all.at[i]->ast.count; j++) *VEC_PUSH(arena, &ast->statements) = all.at[i]->ast.at[j];
-  }
+  for (size_t i = 0; i < all.count; i++) parser_statement(&parser, all.at[i], &ast->statements);
   parser_finish(&parser);
   return ast;
 }

@@ -35,6 +35,7 @@ typedef struct Guard {
 #include <string.h>
 
 #define YYSTACK_USE_ALLOCA 0
+#define YYMAXDEPTH 4000  // blocks in one another; for expressions AST_DEEPEST is lower
 #define YYLLOC_DEFAULT(current, rhs, n) ((current) = joined(rhs, n))
 
 static Span joined(const Span *rhs, int count);
@@ -446,7 +447,7 @@ const char *parser_token_name(int token) {
 
 static AstStatement *emit(Parser *parser, AstStatementKind kind) {
   const Statement *from = parser->statement;
-  AstStatement *s = VEC_PUSH(BUILD.arena, &parser->statement->ast);
+  AstStatement *s = VEC_PUSH(BUILD.arena, parser->out);
   s->kind = kind;
   s->span = statement_span(from, from->begin, from->end);
   return s;

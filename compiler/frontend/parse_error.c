@@ -25,6 +25,16 @@ static bool is_expected(const char **expected, size_t count, const char *name) {
   return false;
 }
 
+// Is a parenthesis open behind [begin, end)?
+static bool is_open(const char *begin, const char *end) {
+  size_t depth = 0;
+  for (; begin < end; begin++) {
+    depth += *begin == '(';
+    depth -= *begin == ')' && depth;
+  }
+  return depth > 0;
+}
+
 static void hint(Parser *parser, const char *at, bool end, const char **expected, size_t count) {
   const Statement *s = parser->statement;
   bool module = is_expected(expected, count, "a module");
@@ -33,9 +43,11 @@ static void hint(Parser *parser, const char *at, bool end, const char **expected
     diag_hint(parser->diag, "a production has one arrow, and contexts stand before it");
   else if (module && end && (behind_arrow || !s->arrow))
     diag_hint(parser->diag, "the empty word is written `ε` or `*`");
+  else if (*at == '(' && s->first.keyword && s->first.keyword->rest == SCAN_WORD)
+    diag_hint(parser->diag, "symbols stand alone here; any number of arguments is meant");
   else if (module && *at == '(')
     diag_hint(parser->diag, "parentheses hold a module's arguments and stand behind it");
-  else if (*at == ')')
+  else if (*at == ')' && !is_open(s->begin, at))
     diag_hint(parser->diag, "no `(` is open that this could close");
 }
 
@@ -44,6 +56,11 @@ void parse_error(Parser *parser, Span span, const char **expected, size_t count)
   const char *at = s->file->text + (span.begin - s->file->base);
   size_t length = span.end - span.begin;
   bool end = at >= s->end;
+  static const char *module = "a module";
+  if (is_expected(expected, count, "a label")) {  // at the begin of a production
+    expected = &module;
+    count = 1;
+  }
   const char *list = listed(parser->build.arena, expected, count);
   const char * or = *list ? "; expected " : "";
   if (end)

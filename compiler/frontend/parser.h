@@ -15,21 +15,25 @@ typedef struct Parser {
   Trie *symbols;   // the interner
   Trie *declared;  // names that are symbols
   Scanner *scanner;
-  Statement *statement;  // that is being parsed
-  AstExpr *condition;    // of an #if
+  const Statement *statement;  // that is being parsed
+  AstStatements *out;          // what it means goes there
+  AstExpr *condition;          // of an #if
 } Parser;
 
 void parser_init(Parser *parser, Arena *arena, Diag *diag, const Sources *sources);
 void parser_finish(Parser *parser);
 
-// Fills statement->ast, unless an error is or was reported. Does nothing the second time.
-void parser_statement(Parser *parser, Statement *statement);
+// Parses a statement into statement->ast before its turn has come.
+void parser_ahead(Parser *parser, Statement *statement);
+
+// Appends what a statement means to out; nothing if there is an error in it.
+void parser_statement(Parser *parser, const Statement *statement, AstStatements *out);
 
 // The condition of an `#if` or `#elif`; NULL after an error.
-AstExpr *parser_condition(Parser *parser, Statement *statement);
+AstExpr *parser_condition(Parser *parser, const Statement *statement);
 
 // The statement's tokens, one a line.
-void parser_tokens(Parser *parser, Statement *statement, FILE *out);
+void parser_tokens(Parser *parser, const Statement *statement, FILE *out);
 
 // What messages call a token.
 const char *parser_token_name(int token);

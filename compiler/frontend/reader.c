@@ -65,18 +65,17 @@ static Span keyword_span(const Statement *s) {
   return statement_span(s, s->begin, s->first.end);
 }
 
-// The one name behind a directive; NULL after reporting that there is none.
-static const char *directive_name(Reader *reader, Statement *s) {
+// The name behind a directive; NULL: there is none.
+static const char *directive_name(const Statement *s, Arena *arena) {
   const char *at = s->first.rest, *end = at;
   for (size_t n; (n = utf8_blank(at, s->end)) > 0;) at += n;
   for (end = at; end < s->end && !strchr(" \t\r\n/(", *end);) end++;
-  if (end > at) return arena_copy(reader->arena, at, (size_t)(end - at));
-  diag_error(reader->diag, keyword_span(s), "`%.*s` needs a name", (int)(s->first.end - s->begin), s->begin);
-  return NULL;
+  return end > at ? arena_copy(arena, at, (size_t)(end - at)) : NULL;
 }
 
 static bool is_defined(Reader *reader, Statement *s) {
-  const char *name = directive_name(reader, s);
+  const char *name = directive_name(s, reader->arena);
+  if (!name) diag_error(reader->diag, keyword_span(s), "`%.*s` needs a name", (int)(s->first.end - s->begin), s->begin);
   return name && trie_find(reader->defines, name, strlen(name));
 }
 
@@ -207,12 +206,8 @@ static void pop_input(Reader *reader) {
 }
 
 static void record_define(Reader *reader, Statement *s) {
-  const char *name = directive_name(reader, s);
-  if (!name) {
-    s->broken = true;
-    return;
-  }
-  *trie_at(reader->defines, name, strlen(name)) = s->first.keyword->token == TOK_DEFINE ? s : NULL;
+  const char *name = directive_name(s, reader->arena);
+  if (name) *trie_at(reader->defines, name, strlen(name)) = s->first.keyword->token == TOK_DEFINE ? s : NULL;
 }
 
 Statement *reader_next(Reader *reader) {

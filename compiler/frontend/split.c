@@ -113,11 +113,10 @@ static void finish_before_line(Walk *w) {
   finish(w, w->line);
 }
 
-static void report_unclosed(Walk *w, const char *opening, const char *next) {
-  diag_error(w->in->diag, at_span(w, opening, 1), "`%c` is never closed", *opening);
-  if (next && next < w->end)
-    diag_note(w->in->diag, at_span(w, next, 1), "the statement ends before this line, which begins another");
-  w->s->broken = true;
+// Is reported when the statement is parsed, so that messages come in the order of the file.
+static void note_unclosed(Walk *w, const char *opening, const char *next) {
+  w->s->unclosed = opening;
+  w->s->unclosed_before = next && next < w->end ? next : NULL;
 }
 
 static void go_on(Walk *w, const char *line, const char *held) {
@@ -135,7 +134,7 @@ static void newline(Walk *w) {
       go_on(w, next, innermost);
       return;
     }
-    report_unclosed(w, innermost, next);
+    note_unclosed(w, innermost, next);
   } else if (next < w->end) {
     bool bare_arrow = w->s->arrow && w->solid == w->s->arrow_end;
     if (bare_arrow && !begins_statement(next, w->end) && !line_holds_arrow(next, w->end)) {
@@ -218,14 +217,14 @@ static void arrow(Walk *w, size_t length) {
   Statement *s = w->s;
   if (in->open.count) {  // no expression holds an arrow
     const char *innermost = in->open.at[in->open.count - 1];
-    report_unclosed(w, innermost, innermost < w->line ? w->line : NULL);
+    note_unclosed(w, innermost, innermost < w->line ? w->line : NULL);
     in->open.count = w->braces = 0;
     if (innermost < w->line) {
       finish_before_line(w);
       return;
     }
   } else if (w->held && (s->arrow || s->first.keyword)) {  // the line is a production of its own
-    report_unclosed(w, w->held, w->line);
+    note_unclosed(w, w->held, w->line);
     finish_before_line(w);
     return;
   }
@@ -295,7 +294,7 @@ static void read_statement(Splitter *splitter, Statement *s) {
     walk_line(&w);
   } else {
     while (!w.done && w.at < w.end) step(&w);
-    if (!w.done && splitter->open.count) report_unclosed(&w, splitter->open.at[splitter->open.count - 1], NULL);
+    if (!w.done && splitter->open.count) note_unclosed(&w, splitter->open.at[splitter->open.count - 1], NULL);
   }
   s->end = w.solid;
   splitter->at = w.at;

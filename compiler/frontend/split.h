@@ -17,9 +17,10 @@ typedef struct Statement {
   const char *colons[2];          // of a label, of a guard: before the arrow; NULL: none
   const char *arrow, *arrow_end;  // outside parentheses, blocks and strings; NULL: none
   const char *weight;             // the colon behind the successor; NULL: none
-  bool broken;                    // an error in it was reported: not to be parsed
-  bool parsed;                    // `ast` holds what it means
-  VEC(AstStatement) ast;
+  const char *unclosed;           // a `(` or `{` that is never closed; NULL: none
+  const char *unclosed_before;    // the line that showed it; NULL: the end of the file, or its own line
+  bool parsed;                    // ahead of the others; `ast` holds what it means
+  AstStatements ast;
 } Statement;
 
 typedef struct Splitter {
