@@ -5,16 +5,27 @@
 //         |            ^~~~~~
 #include "support/diag.h"
 
+#include "support/utf8.h"
+
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+// The part of a source line that a message shows.
+typedef struct Excerpt {
+  const SourceFile *file;  // NULL: none
+  const char *from, *to;
+  bool cut_before, cut_behind;
+  uint32_t line;
+} Excerpt;
 
 struct Diag {
   Arena *arena;
   const Sources *sources;
   DiagOptions options;
   bool colour;
-  bool shown;  // was the last message shown? Its notes go the same way.
+  bool shown;       // was the last message shown? Its notes go the same way.
+  Excerpt excerpt;  // that was shown last
   size_t errors;
 };
 
@@ -65,45 +76,62 @@ static const char *paint(const Diag *diag, const char *code) {
   return diag->colour ? code : "";
 }
 
-// Writes count columns of the line's text from `at`, as blanks (tabs stay tabs) or as a caret range.
-static const char *columns(FILE *out, const char *at, const char *end, const char *line_end, char first, char rest) {
-  for (char mark = first; at < end && at < line_end; at++) {
-    if (((unsigned char)*at & 0xC0) == 0x80) continue;
-    fputc(first == ' ' && *at == '\t' ? '\t' : mark, out);
-    mark = rest;
-  }
-  return at;
+// Length of the character at `at`; a byte that is no UTF-8 counts as one.
+static size_t character(const char *at, const char *end) {
+  size_t length = utf8_length(at, end);
+  return length ? length : 1;
 }
 
-static void show_line(const Diag *diag, Span span, const char *fix) {
-  FILE *out = diag->options.out;
+static Excerpt excerpt(const Diag *diag, Span span) {
+  enum { WIDEST = 120 };  // a word of a million modules is shown around the place only
   Place place = sources_place(diag->sources, span.begin);
-  if (!place.file) return;
+  if (!place.file) return (Excerpt){0};
   const char *text = place.file->text, *file_end = text + place.file->length;
   const char *at = text + (span.begin - place.file->base), *line = at;
   while (line > text && line[-1] != '\n') line--;
   const char *line_end = memchr(line, '\n', (size_t)(file_end - line));
   if (!line_end) line_end = file_end;
   if (line_end > line && line_end[-1] == '\r') line_end--;
-
-  enum { WIDEST = 160 };  // a word of a million modules is shown around the place only
   const char *from = at - line > WIDEST / 2 ? at - WIDEST / 2 : line;
-  while (from > line && ((unsigned char)*from & 0xC0) == 0x80) from--;
-  const char *to = line_end - from > WIDEST ? from + WIDEST : line_end;
-  while (to < line_end && ((unsigned char)*to & 0xC0) == 0x80) to++;
+  while (from < at && ((unsigned char)*from & 0xC0) == 0x80) from++;
+  const char *to = from;
+  while (to < line_end && to - from < WIDEST) to += character(to, line_end);
+  return (Excerpt){place.file, from, to, from > line, to < line_end, place.line};
+}
 
-  fprintf(out, "%5u | %s", place.line, from > line ? "..." : "");
-  for (const char *c = from; c < to; c++) fputc((unsigned char)*c < ' ' && *c != '\t' ? '?' : *c, out);
-  fprintf(out, "%s\n      | %s%s", to < line_end ? "..." : "", from > line ? "   " : "", paint(diag, "\033[1;32m"));
-  columns(out, from, at, to, ' ', ' ');
-  const char *end = text + (span.end - place.file->base);
-  if (columns(out, at, end, to, '^', '~') == at) fputc('^', out);
-  fprintf(out, "%s\n", paint(diag, "\033[0m"));
-  if (fix && *fix) {
-    fprintf(out, "      | %s", from > line ? "   " : "");
-    columns(out, from, at, to, ' ', ' ');
-    fprintf(out, "%s%s%s\n", paint(diag, "\033[32m"), fix, paint(diag, "\033[0m"));
+static void show_text(FILE *out, const Excerpt *e) {
+  fprintf(out, "%5u | %s", e->line, e->cut_before ? "..." : "");
+  for (const char *at = e->from; at < e->to;) {
+    size_t length = utf8_length(at, e->to);
+    if (length == 0)
+      fputs("\uFFFD", out);
+    else if (((unsigned char)*at < ' ' && *at != '\t') || *at == 0x7F)
+      fputc('?', out);
+    else
+      fwrite(at, 1, length, out);
+    at += length ? length : 1;
   }
+  fprintf(out, "%s\n", e->cut_behind ? "..." : "");
+}
+
+// The margin of a line below the text, up to the column of a place in it.
+static void show_margin(FILE *out, const Excerpt *e, const char *place) {
+  fprintf(out, "      | %s", e->cut_before ? "   " : "");
+  for (const char *at = e->from; at < place && at < e->to; at += character(at, e->to))
+    fputc(*at == '\t' ? '\t' : ' ', out);
+}
+
+static void show_line(Diag *diag, Span span) {
+  Excerpt e = diag->excerpt = excerpt(diag, span);
+  if (!e.file) return;
+  FILE *out = diag->options.out;
+  const char *at = e.file->text + (span.begin - e.file->base), *end = e.file->text + (span.end - e.file->base);
+  show_text(out, &e);
+  show_margin(out, &e, at);
+  fprintf(out, "%s^", paint(diag, "\033[1;32m"));
+  if (at < e.to) at += character(at, e.to);
+  for (; at < end && at < e.to; at += character(at, e.to)) fputc('~', out);
+  fprintf(out, "%s\n", paint(diag, "\033[0m"));
 }
 
 static void show_includes(const Diag *diag, Span span) {
@@ -115,7 +143,7 @@ static void show_includes(const Diag *diag, Span span) {
   fprintf(diag->options.out, "in the file included at %s:%u:\n", from.file->path, from.line);
 }
 
-static void show(const Diag *diag, const char *what, const char *code, Span span, const char *name, const char *format,
+static void show(Diag *diag, const char *what, const char *code, Span span, const char *name, const char *format,
                  va_list args) {
   FILE *out = diag->options.out;
   Place place = sources_place(diag->sources, span.begin);
@@ -128,7 +156,7 @@ static void show(const Diag *diag, const char *what, const char *code, Span span
   vfprintf(out, format, args);
   if (name) fprintf(out, " [-W%s]", name);
   fputc('\n', out);
-  show_line(diag, span, NULL);
+  show_line(diag, span);
 }
 
 static void report(Diag *diag, bool error, const char *name, Span span, const char *format, va_list args) {
@@ -188,7 +216,15 @@ void diag_hint(Diag *diag, const char *format, ...) {
 
 void diag_fix(Diag *diag, Span span, const char *text) {
   if (!diag->shown) return;
-  show_line(diag, span, text);
+  const Excerpt *e = &diag->excerpt;
+  const char *at = e->file && span.begin >= e->file->base ? e->file->text + (span.begin - e->file->base) : NULL;
+  if (!at || at < e->from || at > e->to) {
+    show_line(diag, span);
+    if (!e->file) return;
+    at = e->file->text + (span.begin - e->file->base);
+  }
+  show_margin(diag->options.out, e, at);
+  fprintf(diag->options.out, "%s%s%s\n", paint(diag, "\033[32m"), text, paint(diag, "\033[0m"));
 }
 
 // Edit distance where a swap of neighbours counts once (optimal string alignment); names over 63 bytes are far.

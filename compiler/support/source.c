@@ -2,6 +2,7 @@
 // a message needs them.
 #include "support/source.h"
 
+#include "support/utf8.h"
 #include "support/vec.h"
 
 #include <errno.h>
@@ -78,9 +79,15 @@ const SourceFile *sources_read(Sources *sources, const char *path, Span included
 }
 
 const SourceFile *sources_file(const Sources *sources, uint32_t offset) {
-  for (size_t i = sources->files.count; offset && i-- > 0;)
-    if (sources->files.at[i]->base <= offset) return sources->files.at[i];
-  return NULL;
+  size_t low = 0, high = sources->files.count;  // the last file that begins at or before offset
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (sources->files.at[middle]->base <= offset)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return offset && low ? sources->files.at[low - 1] : NULL;
 }
 
 Place sources_place(const Sources *sources, uint32_t offset) {
@@ -88,7 +95,9 @@ Place sources_place(const Sources *sources, uint32_t offset) {
   if (!place.file) return place;
   const char *text = place.file->text, *end = text + (offset - place.file->base), *line = text;
   for (const char *next; (next = memchr(line, '\n', (size_t)(end - line))) != NULL; line = next + 1) place.line++;
-  for (; line < end; line++)
-    if (((unsigned char)*line & 0xC0) != 0x80) place.column++;
+  for (size_t length; line < end; line += length ? length : 1) {
+    length = utf8_length(line, end);  // a byte that is no UTF-8 is a column of its own
+    place.column++;
+  }
   return place;
 }
