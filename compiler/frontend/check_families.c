@@ -26,6 +26,12 @@ typedef struct Family {
   size_t total;  // over all families of that predecessor and table
 } Family;
 
+// All weights of a predecessor in a table, and how many families they belong to.
+typedef struct Total {
+  double sum;
+  size_t families;
+} Total;
+
 typedef struct Families {
   Check *check;
   Map *unweighted, *weighted;  // shape -> the first production of it
@@ -33,7 +39,7 @@ typedef struct Families {
   Map *family;                 // shape -> families
   VEC(Family) list;
   Map *sums;  // predecessor and table -> totals
-  VEC(double) totals;
+  VEC(Total) totals;
   const Productions *productions;
 } Families;
 
@@ -163,7 +169,7 @@ static size_t total_of(Families *families, const Production *p) {
   uint32_t *place = map_place(families->sums, NULL, key);
   if (*place == MAP_NONE) {
     *place = (uint32_t)families->totals.count;
-    *VEC_PUSH(families->check->arena, &families->totals) = 0;
+    *VEC_PUSH(families->check->arena, &families->totals) = (Total){0};
   }
   return *place;
 }
@@ -175,12 +181,13 @@ static void join_family(Families *families, const Production *p) {
   if (*place == MAP_NONE) {
     *place = (uint32_t)families->list.count;
     *VEC_PUSH(families->check->arena, &families->list) = (Family){.total = total_of(families, p)};
+    families->totals.at[families->list.at[*place].total].families++;
   }
   Family *family = &families->list.at[*place];
   if (family->members.count && !shape_is(families->check->program, p, shape, family->members.at[0])) return;
   *VEC_PUSH(families->check->arena, &family->members) = p;
   bool known = expr_constant(families->check->program, p->weight, &weight);
-  families->totals.at[family->total] += known ? weight : NAN;
+  families->totals.at[family->total].sum += known ? weight : NAN;
 }
 
 static void warn_sum(const Families *families, const Family *family, double sum) {
@@ -210,8 +217,10 @@ static void check_sum(const Families *families, const Family *family) {
     sum += weight;
     whole &= weight == trunc(weight);
   }
-  // Where only some of the competitors hold together, all of them may be meant to add up.
-  if (!whole && !adds_up(sum) && !adds_up(families->totals.at[family->total])) warn_sum(families, family, sum);
+  // Where others compete under other conditions, all of them may be meant to add up, or a single one to be an extra.
+  const Total *total = &families->totals.at[family->total];
+  bool extra = total->families > 1 && family->members.count == 1;
+  if (!whole && !extra && !adds_up(sum) && !adds_up(total->sum)) warn_sum(families, family, sum);
 }
 
 // ---- all ---------------------------------------------------------------------------------------

@@ -257,6 +257,7 @@ static void weights(void **state) {
   is_silent("axiom: A\nA --> B : 0.1\nA --> C : 0.2\nA --> D : 0.7\n");
   is_silent("axiom: A\nA --> B : 3\nA --> C : 1\nA --> D : 1\n");
   is_silent("axiom: A(1)\nA(x) : x > 1 --> B : 0.3\nA(x) : x > 1 --> C : 0.3\nA(x) --> D : 0.4\n");
+  is_silent("axiom: A\nA --> B : 0.4\nA --> C : 0.6\nB < A --> D : 0.5\n");
   warns("axiom: A\nA --> B : 0.33\nA --> C : 0.33\nA --> D : 0.33\n",
         "2:11: warning: these weights sum to 0.99, not to 1 or 100 [-Wweights]");
   warns("axiom: A\nA --> B : 0.5\n", "no other production competes with this one");
