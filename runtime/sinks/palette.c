@@ -1,13 +1,13 @@
 // palette.c -- the colours of the indices 0..255.
 //
-// Index 0 is an ink that suits every curve. The first indices go from bark to
-// leaf, since plants count upwards from the trunk; from 16 on hues go round in
-// golden steps, so that neighbours differ.
+// Index 0 is an ink that suits curves and bark. From 1 on it goes from leaf green
+// over light green and yellow to flower colours, since plants count upwards from
+// the trunk; from 16 on hues go round in golden steps, so that neighbours differ.
 #include "sinks/picture.h"
 
 static const uint32_t first[16] = {
-  0x2f2a26, 0x5a4632, 0x6b5d2f, 0x5d7a2c, 0x3f8a34, 0x2f9e4c, 0x57b05a, 0x8cbf4a,
-  0xd9b93b, 0xe08a2e, 0xd8572a, 0xc23b4e, 0xb0428f, 0x7a4fb0, 0x3f67b8, 0x2a93b5,
+  0x41342a, 0x4d8b3c, 0x5f9e3f, 0x3f7f3f, 0x73ad48, 0x8bbb52, 0xa3c75c, 0xbcd067,
+  0xd6d46c, 0xe9c25a, 0xe8a14b, 0xdf7d43, 0xd15b45, 0xb8436a, 0x8d4b94, 0x5a5fae,
 };
 
 // One channel of a colour of hue 0..6 (red, yellow, green, cyan, blue, magenta) with medium saturation.

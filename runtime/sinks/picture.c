@@ -1,214 +1,166 @@
-// picture.c -- turtle space to pages: two passes over the words, one to measure
-// and one to draw. Requires that the first pass of all start words comes before
-// the second pass of any: their figures share one page and one scale.
+// picture.c -- words to pages: a first pass measures all figures, a last one
+// draws them. A figure in space is seen by a camera; with perspective a pass in
+// between measures what the eye, placed by the first one, sees.
+// Requires that a pass over all start words ends before the next one begins.
 #include "sinks/picture.h"
 
 #include "core/message.h"
-#include "turtle/measure.h"
+#include "sinks/layout.h"
+#include "sinks/view.h"
 #include "turtle/turtle.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum {
-  LONG_SIDE = 1000,  // pixels of a page without --size
-  SHORT_SIDE = 120,  // a page is never narrower
-  BATCH = 1024,      // points handed to the canvas at once
-};
+enum { BATCH = 1024 };  // points handed on at once
 
-static const double MARGIN = 0.04, GAP = 0.08;  // of the longer side; of the wider figure
-
-const LsysPictureOptions lsys_picture_defaults = {.line_width = NAN, .background = 0xffffff, .antialias = true};
-
-// Where a figure lies: a point p of the turtle is at (x + p.x * scale, y - p.y * scale) on the page.
-typedef struct Figure {
-  bool drawn;
-  LsysVec3 low, high;
-  double x, y;
-} Figure;
+const LsysPictureOptions lsys_picture_defaults = {
+  .line_width = NAN, .background = 0xffffff, .antialias = true, .azimuth = NAN, .elevation = NAN};
 
 typedef struct Picture {
   LsysSink sink;
-  LsysGeometry geometry;
+  LsysGeometry geometry;  // what the turtle draws to
   LsysPictureOptions options;
   LsysCanvas *canvas;
   LsysTurtle *turtle;
   LsysMeasure measure;
-  Figure *figure;  // of each start word
-  uint32_t figures, current;
-  bool open, failed;
-  uint64_t segments;
-  double length, thinnest, thickest;
-  double scale, unit;  // pixels of a step, pixels of a width of 1
+  LsysLayout layout;
   LsysPage page;
-  LsysPoint *corner;  // of a polygon
+  bool solid;     // seen by a camera
+  bool open;      // the page
+  unsigned pass;  // of sink.passes
+  uint32_t current;
+  LsysView view;
+  LsysEye *eye;      // of each figure
+  LsysVec3 *corner;  // of a polygon
+  LsysPoint *place;
   size_t corner_room;
 } Picture;
 
-// ---- fitting -------------------------------------------------------------
-
-static void sum_up(Picture *p) {
-  const LsysMeasure *m = &p->measure;
-  if (!lsys_measure_any(m)) return;
-  p->figure[p->current] = (Figure){.drawn = true, .low = m->low, .high = m->high};
-  p->segments += m->segments;
-  p->length += m->length;
-  p->thinnest = fmin(p->thinnest, m->thinnest);
-  p->thickest = fmax(p->thickest, m->thickest);
-  if (!lsys_measure_finite(m)) {
-    lsys_error("the figure of axiom %u reaches to infinity: it cannot be drawn", p->current + 1);
-    p->failed = true;
-  }
+static Picture *picture_of(LsysGeometry *geometry) {
+  return (Picture *)((char *)geometry - offsetof(Picture, geometry));
 }
 
-typedef struct Extent {
-  double width, height, gap;
-} Extent;
-
-// Size of all figures side by side, in the turtle's units.
-static Extent extent_of(const Picture *p) {
-  Extent e = {0};
-  double widest = 0;
-  uint32_t drawn = 0;
-  for (uint32_t i = 0; i < p->figures; i++) {
-    const Figure *f = &p->figure[i];
-    if (!f->drawn) continue;
-    double width = f->high.x - f->low.x;
-    widest = fmax(widest, width);
-    e.width += width;
-    e.height = fmax(e.height, f->high.y - f->low.y);
-    drawn++;
-  }
-  e.gap = GAP * fmax(widest, e.height);
-  if (drawn > 1) e.width += (drawn - 1) * e.gap;
-  return e;
-}
-
-static uint32_t side(double pixels) {
-  return pixels < SHORT_SIDE ? SHORT_SIDE : (uint32_t)ceil(pixels);
-}
-
-static void set_scale(Picture *p, const Extent *e) {
-  LsysPage *page = &p->page;
-  page->width = p->options.width;
-  page->height = p->options.height;
-  double longest = fmax(page->width, page->height);
-  if (longest == 0) longest = LONG_SIDE;
-  double margin = MARGIN * longest, room_x = longest - 2 * margin, room_y = room_x;
-  if (page->width) {
-    margin = MARGIN * fmin(page->width, page->height);
-    room_x = page->width - 2 * margin;
-    room_y = page->height - 2 * margin;
-  }
-  p->scale = fmin(room_x / e->width, room_y / e->height);  // a width or height of 0 gives inf: it does not bind
-  if (!isfinite(p->scale) || p->scale <= 0) p->scale = 1;
-  if (!page->width) {
-    page->width = side(e->width * p->scale + 2 * margin);
-    page->height = side(e->height * p->scale + 2 * margin);
-  }
-}
-
-static void place_figures(Picture *p, const Extent *e) {
-  double x = (p->page.width - e->width * p->scale) / 2;
-  double bottom = (p->page.height + e->height * p->scale) / 2;
-  for (uint32_t i = 0; i < p->figures; i++) {
-    Figure *f = &p->figure[i];
-    if (!f->drawn) continue;
-    f->x = x - f->low.x * p->scale;
-    f->y = bottom + f->low.y * p->scale;
-    x += (f->high.x - f->low.x + e->gap) * p->scale;
-  }
-}
-
-// How many pixels a width of 1 is, unless the user says so: 1/800 of the page; more where
-// twigs would vanish, less where the trunk would swell or a dense curve fill its own gaps.
-static void set_line_width(Picture *p) {
-  double page = fmax(p->page.width, p->page.height), unit = page / 800;
-  p->page.detail = p->segments ? p->length / (double)p->segments * p->scale : page;
-  if (isfinite(p->options.line_width)) {
-    p->unit = p->options.line_width;
-    return;
-  }
-  if (p->thickest > 0) {
-    bool varied = p->thinnest > 0 && p->thinnest < p->thickest;
-    if (varied) unit = fmax(unit, 0.5 * page / 1000 / p->thinnest);
-    unit = fmin(unit, page / 40 / p->thickest);
-    if (!varied) unit = fmin(unit, fmax(0.5, 0.35 * p->page.detail) / p->thickest);
-  }
-  p->unit = unit;
-}
-
-static bool open_page(Picture *p) {
-  if (p->failed) return false;
-  Extent e = extent_of(p);
-  p->page = (LsysPage){
-    .background = p->options.background, .transparent = p->options.transparent, .antialias = p->options.antialias};
-  set_scale(p, &e);
-  place_figures(p, &e);
-  set_line_width(p);
-  p->open = true;
-  return p->canvas->open(p->canvas, &p->page);
+static bool drawing(const Picture *p) {
+  return p->pass + 1 == p->sink.passes;
 }
 
 // ---- drawing -------------------------------------------------------------
 
-static LsysPoint to_page(const Picture *p, const LsysVec3 *v) {
-  const Figure *f = &p->figure[p->current];
-  return (LsysPoint){f->x + v->x * p->scale, f->y - v->y * p->scale};
+// From the turtle's space to the space that the page shows.
+static LsysVec3 seen(const Picture *p, LsysVec3 v) {
+  if (!p->solid) return v;
+  v = view_turn(&p->view, v);
+  return p->pass ? eye_project(&p->eye[p->current], v) : v;
+}
+
+static LsysPoint on_page(const Picture *p, LsysVec3 v) {
+  const LsysFigure *f = &p->layout.figure[p->current];
+  LsysVec3 s = seen(p, v);
+  return (LsysPoint){f->x + s.x * p->layout.scale, f->y - s.y * p->layout.scale, s.z * p->layout.scale};
 }
 
 // A width of 0 is still seen.
-static LsysInk ink_of(const Picture *p, const LsysPen *pen) {
-  return (LsysInk){fmax(pen->width * p->unit, 0.05), lsys_palette(pen->colour)};
+static LsysInk ink_of(const Picture *p, const LsysPen *pen, double factor) {
+  return (LsysInk){fmax(pen->width * p->layout.unit * factor, 0.05), lsys_palette(pen->colour)};
 }
 
 static bool draw_stroke(Picture *p, const LsysVec3 *v, size_t count, const LsysPen *pen, bool joined) {
   LsysPoint point[BATCH];
-  LsysInk ink = ink_of(p, pen);
+  LsysInk ink = ink_of(p, pen, 1);
   for (size_t from = 0; from + 1 < count;) {
     size_t n = count - from < BATCH ? count - from : BATCH;
-    for (size_t i = 0; i < n; i++) point[i] = to_page(p, &v[from + i]);
+    for (size_t i = 0; i < n; i++) point[i] = on_page(p, v[from + i]);
     if (!p->canvas->line(p->canvas, point, n, &ink, joined || from)) return false;
     from += n - 1;  // the next part begins where this one ends
   }
   return true;
 }
 
-static bool strokes(LsysGeometry *geometry, const LsysStrokes *batch) {
-  Picture *p = (Picture *)((char *)geometry - offsetof(Picture, geometry));
-  for (size_t i = 0; i < batch->count; i++) {
-    const LsysStroke *s = &batch->stroke[i];
-    if (!draw_stroke(p, batch->point + s->first, s->count, &s->pen, s->joined)) return false;
+// Nearer segments look thicker: each gets the width of its middle.
+static bool draw_perspective(Picture *p, const LsysVec3 *v, size_t count, const LsysPen *pen, bool joined) {
+  for (size_t i = 0; i + 1 < count; i++) {
+    LsysVec3 middle = view_turn(&p->view, vec_sum(v[i], 0.5, v[i + 1], 0.5));
+    LsysInk ink = ink_of(p, pen, eye_factor(&p->eye[p->current], &middle));
+    LsysPoint ends[2] = {on_page(p, v[i]), on_page(p, v[i + 1])};
+    if (!p->canvas->line(p->canvas, ends, 2, &ink, joined || i)) return false;
   }
   return true;
 }
 
-static bool polygon(LsysGeometry *geometry, const LsysVec3 *vertices, size_t count, const LsysPen *pen) {
-  Picture *p = (Picture *)((char *)geometry - offsetof(Picture, geometry));
-  if (count > p->corner_room) {
-    LsysPoint *grown = count < SIZE_MAX / sizeof *grown ? realloc(p->corner, count * sizeof *grown) : NULL;
-    if (!grown) {
-      lsys_error("out of memory for a polygon of %zu vertices", count);
-      return false;
-    }
-    p->corner = grown;
-    p->corner_room = count;
+static bool measure_stroke(Picture *p, const LsysVec3 *v, const LsysStroke *stroke) {
+  LsysVec3 turned[BATCH];
+  for (uint32_t from = 0; from + 1 < stroke->count;) {
+    uint32_t n = stroke->count - from < BATCH ? stroke->count - from : BATCH;
+    for (uint32_t i = 0; i < n; i++) turned[i] = seen(p, v[from + i]);
+    LsysStroke part = {0, n, stroke->pen, false};
+    LsysStrokes batch = {turned, &part, 1};
+    if (!p->measure.geometry.strokes(&p->measure.geometry, &batch)) return false;
+    from += n - 1;
   }
-  for (size_t i = 0; i < count; i++) p->corner[i] = to_page(p, &vertices[i]);
-  return p->canvas->fill(p->canvas, p->corner, count, lsys_palette(pen->colour));
+  return true;
 }
 
-// ---- the sink ------------------------------------------------------------
+static bool strokes(LsysGeometry *geometry, const LsysStrokes *batch) {
+  Picture *p = picture_of(geometry);
+  for (size_t i = 0; i < batch->count; i++) {
+    const LsysStroke *s = &batch->stroke[i];
+    const LsysVec3 *v = batch->point + s->first;
+    bool well = !drawing(p)            ? measure_stroke(p, v, s)
+              : p->options.perspective ? draw_perspective(p, v, s->count, &s->pen, s->joined)
+                                       : draw_stroke(p, v, s->count, &s->pen, s->joined);
+    if (!well) return false;
+  }
+  return true;
+}
+
+static bool make_room(Picture *p, size_t count) {
+  if (count <= p->corner_room) return true;
+  free(p->corner);
+  free(p->place);
+  p->corner = calloc(count, sizeof *p->corner);
+  p->place = calloc(count, sizeof *p->place);
+  p->corner_room = p->corner && p->place ? count : 0;
+  if (!p->corner_room) lsys_error("out of memory for a polygon of %zu vertices", count);
+  return p->corner_room;
+}
+
+static bool polygon(LsysGeometry *geometry, const LsysVec3 *vertices, size_t count, const LsysPen *pen) {
+  Picture *p = picture_of(geometry);
+  if (!make_room(p, count)) return false;
+  if (!drawing(p)) {
+    for (size_t i = 0; i < count; i++) p->corner[i] = seen(p, vertices[i]);
+    return p->measure.geometry.polygon(&p->measure.geometry, p->corner, count, pen);
+  }
+  for (size_t i = 0; i < count; i++) p->place[i] = on_page(p, vertices[i]);
+  return p->canvas->fill(p->canvas, p->place, count, lsys_palette(pen->colour));
+}
+
+// ---- passes --------------------------------------------------------------
+
+static bool open_page(Picture *p) {
+  p->page.solid = p->solid;
+  lsys_layout_fit(&p->layout, &p->options, &p->page);
+  p->open = true;
+  return p->canvas->open(p->canvas, &p->page);
+}
+
+// A figure in the page needs no camera unless the user asks for one.
+static void choose_view(Picture *p) {
+  const LsysPictureOptions *o = &p->options;
+  p->solid = !lsys_turtle_flat(p->turtle) || !isnan(o->azimuth) || o->perspective;
+  bool given = !isnan(o->azimuth), flat = lsys_turtle_flat(p->turtle);
+  p->view = lsys_view(given ? o->azimuth : flat ? 0 : 25, given ? o->elevation : flat ? 0 : 15);
+}
 
 static bool start(Picture *p, const LsysRun *run) {
   if (p->turtle) return true;
-  p->figures = run->grammar->axiom_count;
-  p->figure = calloc(p->figures + 1, sizeof *p->figure);
-  if (!p->figure) {
-    lsys_error("out of memory");
-    return false;
-  }
+  uint32_t figures = run->grammar->axiom_count;
+  p->eye = calloc((size_t)figures + 1, sizeof *p->eye);
+  if (!p->eye) lsys_error("out of memory");
+  if (!p->eye || !lsys_layout_create(&p->layout, figures)) return false;
   p->turtle = lsys_turtle_create(run);
+  if (p->turtle) choose_view(p);
   return p->turtle != NULL;
 }
 
@@ -216,13 +168,14 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   Picture *p = (Picture *)sink;
   if (!start(p, run)) return false;
   p->current = axiom;
-  if (pass == 0) {
+  p->pass = pass;
+  if (drawing(p)) {
+    if (!p->open && !open_page(p)) return false;
+  } else {
     lsys_measure_begin(&p->measure, true);
-    lsys_turtle_begin(p->turtle, axiom, &p->measure.geometry);
-    return true;
   }
-  if (!p->open && !open_page(p)) return false;
-  lsys_turtle_begin(p->turtle, axiom, &p->geometry);
+  bool direct = !p->solid && !drawing(p);
+  lsys_turtle_begin(p->turtle, axiom, direct ? &p->measure.geometry : &p->geometry);
   return true;
 }
 
@@ -230,11 +183,15 @@ static bool take(LsysSink *sink, const LsysWord *part) {
   return lsys_turtle_take(((Picture *)sink)->turtle, part);
 }
 
+// The last measuring pass gives the layout; one before it places the eyes.
 static bool end(LsysSink *sink) {
   Picture *p = (Picture *)sink;
   if (!lsys_turtle_end(p->turtle)) return false;
-  if (!p->open) sum_up(p);
-  return !p->failed;
+  if (drawing(p)) return true;
+  if (p->pass == 0) p->eye[p->current] = (LsysEye){.distance = INFINITY};
+  if (p->pass == 0 && p->options.perspective && lsys_measure_any(&p->measure) && lsys_measure_finite(&p->measure))
+    p->eye[p->current] = lsys_eye(p->measure.low, p->measure.high);
+  return p->pass + 2 < sink->passes || lsys_layout_add(&p->layout, p->current, &p->measure);
 }
 
 static bool finish(LsysSink *sink) {
@@ -246,23 +203,24 @@ static bool finish(LsysSink *sink) {
 static void destroy(LsysSink *sink) {
   Picture *p = (Picture *)sink;
   lsys_turtle_destroy(p->turtle);
+  lsys_layout_destroy(&p->layout);
   p->canvas->destroy(p->canvas);
-  free(p->figure);
+  free(p->eye);
   free(p->corner);
+  free(p->place);
   free(p);
 }
 
 LsysSink *lsys_picture_create(LsysCanvas *canvas, const LsysPictureOptions *options) {
-  Picture *p = aligned_alloc(_Alignof(Picture), sizeof *p);
+  Picture *p = calloc(1, sizeof *p);
   if (!p) {
     canvas->destroy(canvas);
     lsys_error("out of memory");
     return NULL;
   }
-  *p = (Picture){.sink = {2, begin, take, end, finish, destroy},
-                 .geometry = {strokes, polygon},
-                 .options = *options,
-                 .canvas = canvas,
-                 .thinnest = INFINITY};
+  p->sink = (LsysSink){options->perspective ? 3 : 2, begin, take, end, finish, destroy};
+  p->geometry = (LsysGeometry){strokes, polygon};
+  p->options = *options;
+  p->canvas = canvas;
   return &p->sink;
 }

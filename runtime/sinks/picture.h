@@ -14,20 +14,24 @@ typedef struct LsysPictureOptions {
   uint32_t background;     // 0xRRGGBB
   bool transparent;        // no background
   bool antialias;
+  double azimuth,
+    elevation;  // of the camera, in degrees; nan: from before, or a little from the side for figures in space
+  bool perspective;
 } LsysPictureOptions;
 
 // 1000 pixels, white, anti-aliased.
 extern const LsysPictureOptions lsys_picture_defaults;
 
-// A place on the page in pixels: x to the right, y down.
+// A place on the page in pixels: x to the right, y down, z towards the viewer.
 typedef struct LsysPoint {
-  double x, y;
+  double x, y, z;
 } LsysPoint;
 
 typedef struct LsysPage {
   uint32_t width, height;
   uint32_t background;
   bool transparent, antialias;
+  bool solid;     // figures have depth: what is nearer hides what is behind it, and light falls on it
   double detail;  // mean length of a segment in pixels
 } LsysPage;
 

@@ -89,9 +89,31 @@ static bool read_line_width(const LsysOptionValue *value, LsysPictureOptions *op
   return false;
 }
 
+static bool read_camera(const LsysOptionValue *value, LsysPictureOptions *options) {
+  if (!value->given) return true;
+  char *end;
+  options->azimuth = strtod(value->text, &end);
+  bool well = end != value->text && *end == ',';
+  const char *second = end + well;
+  options->elevation = strtod(second, &end);
+  well = well && end != second && *end == 0;
+  if (well && isfinite(options->azimuth) && isfinite(options->elevation)) return true;
+  lsys_error("--camera %s: it is two angles in degrees, AZIMUTH,ELEVATION, such as 30,20", value->text);
+  return false;
+}
+
+static bool read_projection(const LsysOptionValue *value, LsysPictureOptions *options) {
+  if (!value->given) return true;
+  options->perspective = strcmp(value->text, "perspective") == 0;
+  if (options->perspective || strcmp(value->text, "orthographic") == 0) return true;
+  lsys_error("--projection %s: it is orthographic or perspective", value->text);
+  return false;
+}
+
 static bool read_options(const LsysOptions *given, LsysPictureOptions *options) {
   *options = lsys_picture_defaults;
-  return read_size(&given->at[LSYS_OPTION_PAGE_SIZE], options)
+  return read_size(&given->at[LSYS_OPTION_PAGE_SIZE], options) && read_camera(&given->at[LSYS_OPTION_CAMERA], options)
+      && read_projection(&given->at[LSYS_OPTION_PROJECTION], options)
       && read_background(&given->at[LSYS_OPTION_BACKGROUND], options)
       && read_antialias(&given->at[LSYS_OPTION_ANTIALIAS], options)
       && read_line_width(&given->at[LSYS_OPTION_LINE_WIDTH], options);

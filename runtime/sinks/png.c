@@ -11,24 +11,26 @@ typedef struct Png {
   LsysCanvas canvas;
   LsysOut *out;
   LsysPage page;
-  Raster *raster;
+  LsysRaster *raster;
 } Png;
 
 static bool open_page(LsysCanvas *canvas, const LsysPage *page) {
   Png *p = (Png *)canvas;
   p->page = *page;
-  p->raster = raster_create(page);
+  p->raster = page->solid ? lsys_raster_solid(page) : lsys_raster_flat(page);
   return p->raster != NULL;
 }
 
 static bool line(LsysCanvas *canvas, const LsysPoint *point, size_t count, const LsysInk *ink, bool joined) {
   (void)joined;
-  raster_line(((Png *)canvas)->raster, point, count, ink->width, ink->rgb);
+  LsysRaster *raster = ((Png *)canvas)->raster;
+  raster->line(raster, point, count, ink);
   return true;
 }
 
 static bool fill(LsysCanvas *canvas, const LsysPoint *point, size_t count, uint32_t rgb) {
-  return raster_fill(((Png *)canvas)->raster, point, count, rgb);
+  LsysRaster *raster = ((Png *)canvas)->raster;
+  return raster->fill(raster, point, count, rgb);
 }
 
 // ---- the file ------------------------------------------------------------
@@ -58,7 +60,7 @@ static void drop_alpha(uint8_t *row, uint32_t width) {
 
 static void write_rows(png_structp png, const Png *p, uint8_t *row) {
   for (uint32_t y = 0; y < p->page.height; y++) {
-    raster_row(p->raster, y, row);
+    p->raster->row(p->raster, y, row);
     if (!p->page.transparent) drop_alpha(row, p->page.width);
     png_write_row(png, row);
   }
@@ -90,7 +92,8 @@ static bool close_page(LsysCanvas *canvas) {
 }
 
 static void destroy(LsysCanvas *canvas) {
-  raster_destroy(((Png *)canvas)->raster);
+  LsysRaster *raster = ((Png *)canvas)->raster;
+  if (raster) raster->destroy(raster);
   free(canvas);
 }
 

@@ -1,6 +1,11 @@
 // raster.c -- lines and polygons to pixels, by exact coverage along one axis:
 // a line covers a pixel by how much of the pixel's width lies within half the
 // line's width of its axis; a polygon by horizontal spans on quarter rows.
+//
+// Each pixel holds a base and a top colour that covers a part of it. Drawing in
+// the top colour raises that part to the larger of the two, so that the joints
+// of a curve and lines drawn over each other do not darken their edges; another
+// colour first merges top and base.
 #include "sinks/raster.h"
 
 #include "core/message.h"
@@ -27,7 +32,8 @@ typedef struct Crossing {
   int winding;
 } Crossing;
 
-struct Raster {
+typedef struct Raster {
+  LsysRaster raster;
   int width, height;
   bool antialias;
   Edge *edge;
@@ -35,34 +41,7 @@ struct Raster {
   size_t edge_room;
   float *cover;  // of one row of a fill
   Pixel pixel[];
-};
-
-Raster *raster_create(const LsysPage *page) {
-  size_t pixels, bytes;
-  Raster *r = NULL;
-  if (!__builtin_mul_overflow((size_t)page->width, page->height, &pixels)
-      && !__builtin_mul_overflow(pixels, sizeof *r->pixel, &bytes) && bytes < SIZE_MAX - sizeof *r)
-    r = malloc(sizeof *r + bytes);
-  float *cover = calloc((size_t)page->width + 2, sizeof *cover);
-  if (!r || !cover || page->width > 1 << 20 || page->height > 1 << 20) {
-    free(r);
-    free(cover);
-    lsys_error("a picture of %ux%u pixels does not fit into memory", page->width, page->height);
-    return NULL;
-  }
-  *r = (Raster){.width = (int)page->width, .height = (int)page->height, .antialias = page->antialias, .cover = cover};
-  uint32_t base = page->background | (page->transparent ? 0 : 0xff000000u);
-  for (size_t i = 0; i < pixels; i++) r->pixel[i] = (Pixel){base, 0};
-  return r;
-}
-
-void raster_destroy(Raster *r) {
-  if (!r) return;
-  free(r->edge);
-  free(r->crossing);
-  free(r->cover);
-  free(r);
-}
+} Raster;
 
 // ---- pixels --------------------------------------------------------------
 
@@ -92,7 +71,8 @@ static inline uint32_t to_byte(const Raster *r, float cover) {
   return (uint32_t)(fminf(cover, 1) * 255 + 0.5f);
 }
 
-void raster_row(const Raster *r, uint32_t y, uint8_t *rgba) {
+static void row(const LsysRaster *raster, uint32_t y, uint8_t *rgba) {
+  const Raster *r = (const Raster *)raster;
   const Pixel *p = r->pixel + (size_t)y * (size_t)r->width;
   for (int x = 0; x < r->width; x++) {
     uint32_t c = p[x].top >> 24 ? merge(p[x].base, p[x].top) : p[x].base;
@@ -147,10 +127,12 @@ static void segment(Raster *r, const LsysPoint *a, const LsysPoint *b, double wi
   }
 }
 
-void raster_line(Raster *r, const LsysPoint *point, size_t count, double width, uint32_t rgb) {
+static void line(LsysRaster *raster, const LsysPoint *point, size_t count, const LsysInk *ink) {
+  Raster *r = (Raster *)raster;
+  double width = ink->width;
   // Without anti-aliasing a thinner line would have gaps.
   if (!r->antialias) width = fmax(width, 1);
-  for (size_t i = 1; i < count; i++) segment(r, &point[i - 1], &point[i], width, rgb);
+  for (size_t i = 1; i < count; i++) segment(r, &point[i - 1], &point[i], width, ink->rgb);
 }
 
 // ---- polygons ------------------------------------------------------------
@@ -236,7 +218,8 @@ static size_t drop_passed(Raster *r, size_t active, double y) {
   return kept;
 }
 
-bool raster_fill(Raster *r, const LsysPoint *point, size_t count, uint32_t rgb) {
+static bool fill(LsysRaster *raster, const LsysPoint *point, size_t count, uint32_t rgb) {
+  Raster *r = (Raster *)raster;
   if (count > r->edge_room) {
     free(r->edge);
     free(r->crossing);
@@ -261,4 +244,37 @@ bool raster_fill(Raster *r, const LsysPoint *point, size_t count, uint32_t rgb) 
     paint_row(r, y, rgb);
   }
   return true;
+}
+
+// --------------------------------------------------------------------------
+
+static void destroy(LsysRaster *raster) {
+  Raster *r = (Raster *)raster;
+  free(r->edge);
+  free(r->crossing);
+  free(r->cover);
+  free(r);
+}
+
+LsysRaster *lsys_raster_flat(const LsysPage *page) {
+  size_t pixels, bytes;
+  Raster *r = NULL;
+  if (!__builtin_mul_overflow((size_t)page->width, page->height, &pixels)
+      && !__builtin_mul_overflow(pixels, sizeof *r->pixel, &bytes) && bytes < SIZE_MAX - sizeof *r)
+    r = malloc(sizeof *r + bytes);
+  float *cover = calloc((size_t)page->width + 2, sizeof *cover);
+  if (!r || !cover || page->width > 1 << 20 || page->height > 1 << 20) {
+    free(r);
+    free(cover);
+    lsys_error("a picture of %ux%u pixels does not fit into memory", page->width, page->height);
+    return NULL;
+  }
+  *r = (Raster){.raster = {line, fill, row, destroy},
+                .width = (int)page->width,
+                .height = (int)page->height,
+                .antialias = page->antialias,
+                .cover = cover};
+  uint32_t base = page->background | (page->transparent ? 0 : 0xff000000u);
+  for (size_t i = 0; i < pixels; i++) r->pixel[i] = (Pixel){base, 0};
+  return &r->raster;
 }

@@ -1,28 +1,25 @@
-// raster.h -- a grid of pixels on which lines and polygons are drawn with
-// anti-aliased edges.
-//
-// Each pixel holds a base and a top colour that covers a part of it. Drawing in
-// the top colour raises that part to the larger of the two, so that the joints
-// of a curve and lines drawn over each other do not darken their edges; another
-// colour first merges top and base.
+// raster.h -- grids of pixels on which lines and polygons are drawn.
 #ifndef LSYS_SINKS_RASTER_H
 #define LSYS_SINKS_RASTER_H
 
 #include "sinks/picture.h"
 
-typedef struct Raster Raster;
+typedef struct LsysRaster LsysRaster;
 
-// NULL after printing that the page is too big. 8 bytes a pixel.
-Raster *raster_create(const LsysPage *page);
-void raster_destroy(Raster *raster);
+struct LsysRaster {
+  // Segments between count points with round ends and joints.
+  void (*line)(LsysRaster *raster, const LsysPoint *point, size_t count, const LsysInk *ink);
+  // A polygon. False if memory ran out (printed).
+  bool (*fill)(LsysRaster *raster, const LsysPoint *point, size_t count, uint32_t rgb);
+  // One finished row: width pixels of R, G, B, A.
+  void (*row)(const LsysRaster *raster, uint32_t y, uint8_t *rgba);
+  void (*destroy)(LsysRaster *raster);
+};
 
-// Segments between count points, `width` thick, with round ends and joints.
-void raster_line(Raster *raster, const LsysPoint *point, size_t count, double width, uint32_t rgb);
+// In the order in which things are drawn, edges anti-aliased. 8 bytes a pixel. NULL after printing that it is too big.
+LsysRaster *lsys_raster_flat(const LsysPage *page);
 
-// A polygon, by non-zero winding. False if memory ran out.
-bool raster_fill(Raster *raster, const LsysPoint *point, size_t count, uint32_t rgb);
-
-// One row: width pixels of R, G, B, A.
-void raster_row(const Raster *raster, uint32_t y, uint8_t *rgba);
+// By depth and with light: lines are cylinders. 72 bytes a pixel where anti-aliased, 8 where not; less for big pages.
+LsysRaster *lsys_raster_solid(const LsysPage *page);
 
 #endif
