@@ -1,180 +1,61 @@
-// main.c -- the benchmark: every row derives a word by the compiled grammar and
-// by C written for that grammar, compares the two byte for byte, and then
-// times both beside a memcpy of the same bytes, in turns.
-#include "compile.h"
+// main.c -- the benchmark's command line: which groups of rows, how often.
+#include "bench.h"
 #include "measure.h"
-#include "words.h"
 
-#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct Row {
+static const struct {
   const char *name;
-  uint64_t steps, seed;
-  Baseline baseline;
-  const char *work;
-} Row;
-
-static const Row rows[] = {
-#define ROW(name, steps, seed, baseline, work) {name, steps, seed, baseline, work},
-#include "rows.def"
-#undef ROW
+  void (*run)(const Options *options);
+  const char *doc;
+} groups[] = {
+  {"words", bench_words, "words in memory beside C written for the grammar, and memcpy of the same bytes"},
+  {"outputs", bench_outputs, "text, hash, SVG and PNG of big words"},
+  {"sweep", bench_sweep, "cost per module and memory as a streamed word grows"},
+  {"start", bench_start, "start-up, compile times, time to the first module"},
 };
+enum { GROUPS = sizeof groups / sizeof *groups };
 
-typedef struct Options {
-  const char *home, *grammars;
-  unsigned runs;
-  bool json;
-  const char *only;
-} Options;
-
-typedef struct Contest {
-  const Row *row;
-  const LsysGrammar *grammar;
-  Packed ours, theirs;
-  uint8_t *from, *to;  // of the memcpy
-  size_t bytes;        // of symbols and arguments together
-  bool cold;           // the first write to every page is part of the time
-  uint64_t sum;
-} Contest;
-
-static size_t arg_bytes(const Packed *word) {
-  return word->narg * sizeof(double);
+bool bench_wants(const Options *options, const char *row) {
+  return !options->only || strcmp(options->only, row) == 0;
 }
 
-static void before_ours(void *data) {
-  Contest *contest = data;
-  if (!contest->cold) return;
-  forget_pages(contest->ours.sym, contest->bytes);
-}
-
-static void before_theirs(void *data) {
-  Contest *contest = data;
-  if (contest->cold) forget_pages(contest->theirs.sym, contest->bytes);
-}
-
-static void before_copy(void *data) {
-  Contest *contest = data;
-  if (contest->cold) forget_pages(contest->to, contest->bytes);
-}
-
-static void run_ours(void *data) {
-  Contest *contest = data;
-  word_store(contest->grammar, contest->row->steps, contest->row->seed, &contest->ours);
-}
-
-static void run_theirs(void *data) {
-  Contest *contest = data;
-  contest->row->baseline(&contest->theirs, (unsigned)contest->row->steps, contest->row->seed);
-}
-
-static void run_copy(void *data) {
-  Contest *contest = data;
-  memcpy(contest->to, contest->from, contest->bytes);
-}
-
-static void run_stream(void *data) {
-  Contest *contest = data;
-  contest->sum = word_sum(contest->grammar, contest->row->steps, contest->row->seed);
-}
-
-// Symbols and arguments in one mapping, so that both sides touch the same number of pages.
-static Packed packed_memory(size_t nsym, size_t narg, size_t *bytes) {
-  size_t symbols = (nsym + 64) & ~(size_t)63;
-  *bytes = symbols + narg * sizeof(double) + 64;
-  uint8_t *at = fresh_pages(*bytes);
-  return (Packed){.sym = at, .arg = (double *)(void *)(at + symbols)};
-}
-
-static bool same(const Packed *a, const Packed *b) {
-  return a->nsym == b->nsym && a->narg == b->narg && memcmp(a->sym, b->sym, a->nsym) == 0
-      && memcmp(a->arg, b->arg, arg_bytes(a)) == 0;
-}
-
-static void print_row(const Options *options, const Contest *contest, const char *pages, Side *sides, unsigned runs) {
-  double modules = (double)contest->ours.nsym, ours = median(sides[0].seconds, runs);
-  double theirs = ratio(&sides[1], &sides[0], runs), copy = ratio(&sides[2], &sides[0], runs);
-  if (options->json)
-    printf("{\"row\":\"%s\",\"work\":\"%s\",\"pages\":\"%s\",\"steps\":%" PRIu64 ",\"modules\":%.0f,\"bytes\":%zu,"
-           "\"seconds\":%.6g,\"modules_per_second\":%.6g,\"times_c\":%.4g,\"times_memcpy\":%.4g}\n",
-           contest->row->name, contest->row->work, pages, contest->row->steps, modules, contest->bytes, ours,
-           modules / ours, theirs, copy);
-  else
-    printf("%-14s %-5s %12.0f %8.1f %9.1f %9.2f %9.2f   %s\n", contest->row->name, pages, modules,
-           (double)contest->bytes / 1e6, modules / ours / 1e6, theirs, copy, contest->row->work);
-  fflush(stdout);
-}
-
-static void time_row(const Options *options, Contest *contest) {
-  for (int cold = 1; cold >= 0; cold--) {
-    contest->cold = cold;
-    Side sides[] = {{.name = "lsysc", .before = before_ours, .run = run_ours, .data = contest},
-                    {.name = "C", .before = before_theirs, .run = run_theirs, .data = contest},
-                    {.name = "memcpy", .before = before_copy, .run = run_copy, .data = contest}};
-    measure(sides, 3, options->runs);
-    print_row(options, contest, cold ? "first" : "warm", sides, options->runs);
-  }
-  Side stream[] = {{.name = "stream", .run = run_stream, .data = contest},
-                   {.name = "C", .before = before_theirs, .run = run_theirs, .data = contest},
-                   {.name = "memcpy", .before = before_copy, .run = run_copy, .data = contest}};
-  measure(stream, 3, options->runs);
-  print_row(options, contest, "sum", stream, options->runs);
-}
-
-static void run_row(const Options *options, const Row *row) {
-  char path[4096];
-  snprintf(path, sizeof path, "%s/%s.lsys", options->grammars, row->name);
-  Compiled *compiled = compile_grammar(path, options->home);
-  Contest contest = {.row = row, .grammar = compiled_grammar(compiled)};
-  size_t nsym, narg;
-  word_size(contest.grammar, row->steps, row->seed, &nsym, &narg);
-  contest.ours = packed_memory(nsym, narg, &contest.bytes);
-  contest.theirs = packed_memory(nsym, narg, &contest.bytes);
-  contest.from = fresh_pages(contest.bytes);
-  contest.to = fresh_pages(contest.bytes);
-  memset(contest.from, 1, contest.bytes);
-  run_ours(&contest);
-  run_theirs(&contest);
-  if (same(&contest.ours, &contest.theirs)) {
-    time_row(options, &contest);
-  } else {
-    fprintf(stderr, "bench: %s: lsysc and the baseline give different words (%zu and %zu modules)\n", row->name,
-            contest.ours.nsym, contest.theirs.nsym);
-    exit(1);
-  }
-  release_pages(contest.ours.sym, contest.bytes);
-  release_pages(contest.theirs.sym, contest.bytes);
-  release_pages(contest.from, contest.bytes);
-  release_pages(contest.to, contest.bytes);
-  compile_release(compiled);
-}
-
-static void usage(FILE *to) {
-  fputs("usage: bench [--json] [--runs N] [--only ROW]\n"
-        "Times compiled grammars beside C written for each, and memcpy of the same bytes.\n"
-        "  times C, times memcpy: how many times as long the other side takes (above 1: lsysc is faster)\n"
-        "  first: the first write to each page is part of the time; warm: it is not; sum: streamed, not stored\n",
+static int usage(FILE *to, int status) {
+  fputs("usage: bench [--json] [--runs N] [--only ROW] [GROUP...]\n", to);
+  for (int i = 0; i < GROUPS; i++) fprintf(to, "  %-8s %s\n", groups[i].name, groups[i].doc);
+  fputs("times C, x memcpy: how many times as long the other side takes (above 1: lsysc is faster)\n"
+        "first: the first write to each page is part of the time; warm: it is not; sum: streamed, not stored\n",
         to);
+  return status;
+}
+
+static int find_group(const char *name) {
+  for (int i = 0; i < GROUPS; i++)
+    if (strcmp(groups[i].name, name) == 0) return i;
+  return -1;
 }
 
 int main(int argc, char **argv) {
-  Options options = {.home = LSYSC_BENCH_HOME, .grammars = LSYSC_BENCH_GRAMMARS, .runs = 7};
+  Options options = {.home = LSYSC_BENCH_HOME, .lsysc = LSYSC_BENCH_LSYSC, .grammars = LSYSC_BENCH_GRAMMARS, .runs = 7};
+  bool wanted[GROUPS] = {false}, any = false;
   for (int i = 1; i < argc; i++) {
-    if (strcmp(argv[i], "--json") == 0)
+    bool more = i + 1 < argc;
+    int group = find_group(argv[i]);
+    if (group >= 0)
+      wanted[group] = any = true;
+    else if (strcmp(argv[i], "--json") == 0)
       options.json = true;
-    else if (strcmp(argv[i], "--runs") == 0 && i + 1 < argc)
+    else if (strcmp(argv[i], "--runs") == 0 && more)
       options.runs = (unsigned)atoi(argv[++i]);
-    else if (strcmp(argv[i], "--only") == 0 && i + 1 < argc)
+    else if (strcmp(argv[i], "--only") == 0 && more)
       options.only = argv[++i];
     else
-      return usage(strcmp(argv[i], "--help") == 0 ? stdout : stderr), strcmp(argv[i], "--help") != 0;
+      return strcmp(argv[i], "--help") == 0 ? usage(stdout, 0) : usage(stderr, 1);
   }
-  if (options.runs < 1 || options.runs > MOST_RUNS) return usage(stderr), 1;
-  if (!options.json)
-    printf("%-14s %-5s %12s %8s %9s %9s %9s\n", "row", "pages", "modules", "MB", "M mod/s", "times C", "x memcpy");
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-    if (!options.only || strcmp(options.only, rows[i].name) == 0) run_row(&options, &rows[i]);
+  if (options.runs < 1 || options.runs > MOST_RUNS) return usage(stderr, 1);
+  for (int i = 0; i < GROUPS; i++)
+    if (!any || wanted[i]) groups[i].run(&options);
   return 0;
 }

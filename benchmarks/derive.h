@@ -1,6 +1,6 @@
-// words.h -- deriving a compiled grammar's word into memory, or into a sum.
-#ifndef LSYSC_BENCHMARKS_WORDS_H
-#define LSYSC_BENCHMARKS_WORDS_H
+// derive.h -- deriving a compiled grammar's word into memory, or into a sum.
+#ifndef LSYSC_BENCHMARKS_DERIVE_H
+#define LSYSC_BENCHMARKS_DERIVE_H
 
 #include "baselines/baseline.h"
 #include "lsys/abi.h"

@@ -1,0 +1,23 @@
+// bench.h -- the groups of rows, one file each; every group prints its own table.
+#ifndef LSYSC_BENCHMARKS_BENCH_H
+#define LSYSC_BENCHMARKS_BENCH_H
+
+#include <stdbool.h>
+
+typedef struct Options {
+  const char *home;      // the folder that holds lsysc-llvm.so
+  const char *lsysc;     // the compiler, for start-up times
+  const char *grammars;  // the folder of the rows' grammars
+  const char *only;      // NULL: every row
+  unsigned runs;
+  bool json;
+} Options;
+
+void bench_words(const Options *options);    // words.c: words beside C and memcpy
+void bench_outputs(const Options *options);  // outputs.c: text, hash, pictures
+void bench_sweep(const Options *options);    // sweep.c: cost per module as words grow
+void bench_start(const Options *options);    // start.c: from a grammar to its first module
+
+bool bench_wants(const Options *options, const char *row);
+
+#endif

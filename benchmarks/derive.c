@@ -1,0 +1,79 @@
+// derive.c -- sinks of the benchmark: one counts, one stores, one sums.
+#include "derive.h"
+
+#include "core/derive.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct WordSink {
+  LsysSink sink;
+  Packed *out;
+  uint64_t sum;
+} WordSink;
+
+static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
+  (void)sink, (void)run, (void)axiom, (void)pass;
+  return true;
+}
+
+static bool end(LsysSink *sink) {
+  (void)sink;
+  return true;
+}
+
+static bool take_size(LsysSink *sink, const LsysWord *part) {
+  Packed *out = ((WordSink *)sink)->out;
+  out->nsym += part->nsym;
+  out->narg += part->narg;
+  return true;
+}
+
+static bool take_word(LsysSink *sink, const LsysWord *part) {
+  Packed *out = ((WordSink *)sink)->out;
+  memcpy(out->sym + out->nsym, part->sym, part->nsym);
+  if (part->narg) memcpy(out->arg + out->narg, part->arg, part->narg * sizeof(double));
+  return take_size(sink, part);
+}
+
+uint64_t sum_bytes(const uint8_t *at, size_t count) {
+  uint64_t sum = 0;
+  for (size_t i = 0; i < count; i++) sum += at[i];
+  return sum;
+}
+
+static bool take_sum(LsysSink *sink, const LsysWord *part) {
+  ((WordSink *)sink)->sum += sum_bytes(part->sym, part->nsym) + sum_bytes((const uint8_t *)part->arg, 8 * part->narg);
+  return true;
+}
+
+static uint64_t derive(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, Packed *out,
+                       bool (*take)(LsysSink *, const LsysWord *)) {
+  LsysMemory memory = {.limit = lsys_memory_default()};
+  LsysOptions options = {0};
+  options.at[LSYS_OPTION_STEPS] = (LsysOptionValue){.given = true, .whole = steps};
+  options.at[LSYS_OPTION_SEED] = (LsysOptionValue){.given = true, .whole = seed};
+  WordSink sink = {.sink = {.passes = 1, .begin = begin, .take = take, .end = end}, .out = out};
+  LsysDerivation derivation;
+  if (!lsys_derivation_open(&derivation, grammar, &options, &memory)
+      || !lsys_derivation_run(&derivation, 0, &sink.sink, 0))
+    exit(1);
+  lsys_derivation_close(&derivation);
+  return sink.sum;
+}
+
+void word_size(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, size_t *nsym, size_t *narg) {
+  Packed out = {0};
+  derive(grammar, steps, seed, &out, take_size);
+  *nsym = out.nsym;
+  *narg = out.narg;
+}
+
+void word_store(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, Packed *out) {
+  out->nsym = out->narg = 0;
+  derive(grammar, steps, seed, out, take_word);
+}
+
+uint64_t word_sum(const LsysGrammar *grammar, uint64_t steps, uint64_t seed) {
+  return derive(grammar, steps, seed, NULL, take_sum);
+}
