@@ -62,7 +62,7 @@ static LsysPoint on_page(const Picture *p, LsysVec3 v) {
 
 // A width of 0 is still seen.
 static LsysInk ink_of(const Picture *p, const LsysPen *pen, double factor) {
-  return (LsysInk){fmax(pen->width * p->layout.unit * factor, 0.05), lsys_palette(pen->colour)};
+  return (LsysInk){fmax(pen->width * p->layout.unit * factor, 0.05), lsys_palette(pen->colour, p->solid)};
 }
 
 static bool draw_stroke(Picture *p, const LsysVec3 *v, size_t count, const LsysPen *pen, bool joined) {
@@ -133,7 +133,7 @@ static bool polygon(LsysGeometry *geometry, const LsysVec3 *vertices, size_t cou
     return p->measure.geometry.polygon(&p->measure.geometry, p->corner, count, pen);
   }
   for (size_t i = 0; i < count; i++) p->place[i] = on_page(p, vertices[i]);
-  return p->canvas->fill(p->canvas, p->place, count, lsys_palette(pen->colour));
+  return p->canvas->fill(p->canvas, p->place, count, lsys_palette(pen->colour, p->solid));
 }
 
 // ---- passes --------------------------------------------------------------

@@ -56,8 +56,12 @@ struct LsysCanvas {
 // A sink of two passes that draws to canvas and destroys it in the end. NULL after printing why.
 LsysSink *lsys_picture_create(LsysCanvas *canvas, const LsysPictureOptions *options);
 
-// palette.c: the colour of an index, 0xRRGGBB.
-uint32_t lsys_palette(uint8_t index);
+// A canvas that draws figures in space, lit and from back to front, on one without depth, which it destroys in the
+// end; other figures as they come. NULL after printing why.
+LsysCanvas *lsys_canvas_sorted(LsysCanvas *inner);
+
+// palette.c: the colour of an index, 0xRRGGBB; for things in the light the ink is lighter.
+uint32_t lsys_palette(uint8_t index, bool solid);
 
 // Sinks over an output; the output is not committed. NULL after printing why.
 struct LsysOut;

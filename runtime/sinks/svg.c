@@ -178,5 +178,6 @@ LsysSink *lsys_svg_create(LsysOut *out, const LsysPictureOptions *options) {
   }
   s->canvas = (LsysCanvas){open_page, line, fill, close_page, destroy};
   s->out = out;
-  return lsys_picture_create(&s->canvas, options);
+  LsysCanvas *canvas = lsys_canvas_sorted(&s->canvas);
+  return canvas ? lsys_picture_create(canvas, options) : NULL;
 }

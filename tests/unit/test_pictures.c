@@ -120,7 +120,7 @@ static void png_covers_lines(void **state) {
   options.height = 100;
   options.line_width = 5;
   uint8_t *p = png_of("F", 90, &options);
-  uint32_t ink = lsys_palette(0) << 8 | 0xff;
+  uint32_t ink = lsys_palette(0, false) << 8 | 0xff;
   for (uint32_t y = 10; y < 90; y++) {
     assert_int_equal(pixel(p, 51, 25, y), ink);
     assert_int_equal(pixel(p, 51, 23, y), ink);
@@ -142,7 +142,7 @@ static void png_smooths_edges(void **state) {
   options.height = 100;
   options.line_width = 6;
   uint8_t *p = png_of("F|F", 90, &options);
-  uint32_t ink = lsys_palette(0) >> 16, edge = pixel(p, 51, 22, 50) >> 24;
+  uint32_t ink = lsys_palette(0, false) >> 16, edge = pixel(p, 51, 22, 50) >> 24;
   assert_true(abs((int)edge - (int)(255 + ink) / 2) <= 1);
   free(p);
 }
@@ -152,7 +152,7 @@ static void png_fills_polygons(void **state) {
   LsysPictureOptions options = lsys_picture_defaults;
   options.width = options.height = 100;
   uint8_t *p = png_of("{f-f-f-f}", 90, &options);
-  uint32_t ink = lsys_palette(0) << 8 | 0xff;
+  uint32_t ink = lsys_palette(0, false) << 8 | 0xff;
   assert_int_equal(pixel(p, 100, 5, 5), ink);
   assert_int_equal(pixel(p, 100, 94, 94), ink);
   assert_int_equal(pixel(p, 100, 50, 3), 0xffffffff);
