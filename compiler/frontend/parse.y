@@ -164,7 +164,10 @@ declaration:
     s->high = $8;
   }
 | MODULES names { emit(parser, AST_MODULES)->symbols = $2; }
-| MODULE NAME { PUSH(emit(parser, AST_MODULES)->symbols) = (AstSymbol){$2, @2}; }
+| MODULE NAME {
+    AstStatement *s = emit(parser, AST_MODULES);
+    PUSH(s->symbols) = (AstSymbol){$2, @2};
+  }
 | MODULE NAME LPAREN parameters RPAREN {
     AstStatement *s = emit_named(parser, AST_MODULES, $2, @2);
     s->has_params = true;

@@ -156,10 +156,11 @@ static void comment(Walk *w) {
   w->at = behind ? behind : w->end;
 }
 
+// Skips a string; a quote that nothing closes in its line is the scanner's to report.
 static void string(Walk *w) {
   const char *at = w->at + 1;
   while (at < w->end && *at != '"' && *at != '\n') at += *at == '\\' && at + 1 < w->end && at[1] != '\n' ? 2 : 1;
-  w->at = w->solid = at < w->end && *at == '"' ? at + 1 : at;
+  w->at = w->solid = at < w->end && *at == '"' ? at + 1 : w->at + 1;
 }
 
 // A `\` with white space before it and nothing behind it joins the next line.

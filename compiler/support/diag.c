@@ -231,7 +231,7 @@ void diag_fix(Diag *diag, Span span, const char *text) {
 static size_t distance(const char *a, const char *b) {
   size_t n = strlen(a), m = strlen(b);
   enum { LONGEST = 64 };
-  if (n >= LONGEST || m >= LONGEST) return LONGEST;
+  if (n >= LONGEST || m >= LONGEST) return SIZE_MAX;
   size_t row[3][LONGEST];
   for (size_t j = 0; j <= m; j++) row[0][j] = j;
   for (size_t i = 1; i <= n; i++) {
