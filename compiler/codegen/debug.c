@@ -57,39 +57,54 @@ void debug_function(Ir *ir, LLVMValueRef function, Span span) {
   size_t length;
   const char *name = LLVMGetValueName2(function, &length);
   debug->function = LLVMDIBuilderCreateFunction(debug->builder, file, name, length, name, length, file, place.line,
-                                                type, true, true, place.line, 0, ir->options->optimise > 0);
+                                                type, true, true, 0, 0, ir->options->optimise > 0);
   LLVMSetSubprogram(function, debug->function);
   set_location(ir, debug->function, 0, 0);
 }
 
-static void show(Ir *ir, const Slot *slot, const char *name, LLVMMetadataRef scope, LLVMMetadataRef file,
-                 const Place *place) {
+// A variable of scope named name that lives in memory from here on.
+static void show(Ir *ir, const Slot *slot, const char *name, unsigned parameter, LLVMMetadataRef scope, Place place) {
   DebugInfo *debug = ir->debug;
+  LLVMMetadataRef file = file_of(ir, place.file), variable;
   LLVMValueRef address = slot->address;
   if (!address) {
     address = ir_local(ir, ir->types.f64, 1, name);
     LLVMBuildStore(ir->builder, slot->value, address);
   }
-  LLVMMetadataRef variable = LLVMDIBuilderCreateAutoVariable(debug->builder, scope, name, strlen(name), file,
-                                                             place->line, debug->number, true, 0, 0);
-  LLVMDIBuilderInsertDeclareRecordAtEnd(debug->builder, address, variable,
-                                        LLVMDIBuilderCreateExpression(debug->builder, NULL, 0),
-                                        LLVMGetCurrentDebugLocation2(ir->builder), LLVMGetInsertBlock(ir->builder));
+  if (parameter)
+    variable = LLVMDIBuilderCreateParameterVariable(debug->builder, scope, name, strlen(name), parameter, file,
+                                                    place.line, debug->number, true, 0);
+  else
+    variable = LLVMDIBuilderCreateAutoVariable(debug->builder, scope, name, strlen(name), file, place.line,
+                                               debug->number, true, 0, 0);
+  LLVMMetadataRef at = LLVMDIBuilderCreateDebugLocation(ir->context, place.line, place.column, scope, NULL);
+  LLVMMetadataRef plain = LLVMDIBuilderCreateExpression(debug->builder, NULL, 0);
+  LLVMDIBuilderInsertDeclareRecordAtEnd(debug->builder, address, variable, plain, at, LLVMGetInsertBlock(ir->builder));
 }
 
+void debug_arguments(Rewrite *rewrite, const Production *production) {
+  Ir *ir = rewrite->scope.ir;
+  if (!ir->debug) return;
+  const Pattern *strict = &production->strict.at[0];
+  for (uint32_t i = 0; i < ir->program->kinds[rewrite->kind].arity; i++) {
+    const char *name = production->slot_names[strict->slot + i];
+    Slot slot = {.value = rewrite->args[i]};
+    Place place = sources_place(ir->debug->sources, production->head.begin);
+    if (name) show(ir, &slot, name, i + 1, ir->debug->function, place);
+  }
+}
+
+// The stores stand before the production's line begins: where a debugger stops, they are done.
 void debug_enter(Rewrite *rewrite, const Production *production) {
   Ir *ir = rewrite->scope.ir;
   DebugInfo *debug = ir->debug;
   if (!debug) return;
   Place place = sources_place(debug->sources, production->head.begin);
-  LLVMMetadataRef file = file_of(ir, place.file);
   LLVMMetadataRef block =
-    LLVMDIBuilderCreateLexicalBlock(debug->builder, debug->function, file, place.line, place.column);
+    LLVMDIBuilderCreateLexicalBlock(debug->builder, debug->function, file_of(ir, place.file), place.line, place.column);
+  for (uint32_t i = 0; i < production->parameters + production->locals; i++)
+    if (production->slot_names[i]) show(ir, &rewrite->scope.slots[i], production->slot_names[i], 0, block, place);
   set_location(ir, block, place.line, place.column);
-  for (uint32_t i = 0; i < production->parameters + production->locals; i++) {
-    if (!production->slot_names[i]) continue;
-    show(ir, &rewrite->scope.slots[i], production->slot_names[i], block, file, &place);
-  }
 }
 
 void debug_leave(Rewrite *rewrite) {

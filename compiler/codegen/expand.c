@@ -334,6 +334,7 @@ static void define(Ir *ir, Way way, KindId kind) {
   const Productions *productions = way_productions(ir, way, kind);
   debug_function(ir, ir->ways[way][kind], productions->count ? productions->at[0]->head : (Span){0, 0});
   begin(&rewrite, ir->ways[way][kind]);
+  if (productions->count) debug_arguments(&rewrite, productions->at[0]);
   if (way == WAY_EXPAND && ir->facts->kinds[kind].fixed) use_blocks(&rewrite);
   stop_at_zero(&rewrite, way == WAY_EXPAND ? rewrite.steps : rewrite.depth);
   prepare(&rewrite, productions);

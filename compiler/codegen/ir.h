@@ -218,6 +218,7 @@ void freeze_grammar(Ir *ir, const Entries *entries);
 void debug_create(Ir *ir, const Sources *sources);
 void debug_finish(Ir *ir);
 void debug_function(Ir *ir, LLVMValueRef function, Span span);
+void debug_arguments(Rewrite *rewrite, const Production *production);  // the function's, by their names there
 // What follows applies this production: a debugger stops there and shows the parameters in scope.slots.
 void debug_enter(Rewrite *rewrite, const Production *production);
 void debug_leave(Rewrite *rewrite);
