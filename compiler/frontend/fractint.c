@@ -354,15 +354,25 @@ static void lower(Parser *parser, const System *system, Ast *ast) {
 
 // ---- choosing a system -----------------------------------------------------
 
+static char *lower_case(Arena *arena, const char *text, size_t length) {
+  char *copy = arena_copy(arena, text, length);
+  for (size_t i = 0; i < length; i++)
+    if (copy[i] >= 'A' && copy[i] <= 'Z') copy[i] = (char)(copy[i] + ('a' - 'A'));
+  return copy;
+}
+
 static void report_unknown(const Parser *parser, const Systems *systems, const char *wanted) {
   VEC(const char *) names = {0};
-  for (size_t i = 0; i < systems->count; i++)
-    *VEC_PUSH(parser->arena, &names) = arena_copy(parser->arena, text_at(parser, systems->at[i].name.begin),
-                                                  systems->at[i].name.end - systems->at[i].name.begin);
+  for (size_t i = 0; i < systems->count; i++) {
+    Span name = systems->at[i].name;
+    *VEC_PUSH(parser->arena, &names) = lower_case(parser->arena, text_at(parser, name.begin), name.end - name.begin);
+  }
   diag_error(parser->diag, (Span){0}, "`%s` has no system `%s`", parser->file->path, wanted);
-  const char *near = diag_nearest(wanted, names.at, names.count);
-  if (near) diag_hint(parser->diag, "did you mean `%s`?", near);
-  diag_hint(parser->diag, "--list-systems shows those that it has");
+  const char *near = diag_nearest(lower_case(parser->arena, wanted, strlen(wanted)), names.at, names.count);
+  if (near)
+    diag_hint(parser->diag, "did you mean `%s`?", near);
+  else
+    diag_hint(parser->diag, "--list-systems shows those that it has");
 }
 
 // A } that was forgotten makes Fractint skip the entry without a word.
