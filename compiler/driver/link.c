@@ -162,22 +162,24 @@ static void show(const Strings *argv) {
   fputc('\n', stderr);
 }
 
-// Waits for the linker; a signal that ends lsysc ends the linker first and stays pending for guard_end.
-static int wait_for(pid_t child, const Guard *guard) {
+// Waits for the linker and takes its status. False when a signal that ends lsysc came first: the linker is ended too,
+// and the signal stays pending until guard_end.
+static bool wait_for(pid_t child, const Guard *guard, int *status) {
   for (;;) {
-    int status, signal = sigwaitinfo(&guard->ending, NULL);
+    int signal = sigwaitinfo(&guard->ending, NULL);
     if (signal == SIGCHLD) {
-      if (waitpid(child, &status, WNOHANG) == child) return status;
+      if (waitpid(child, status, WNOHANG) == child) return true;
     } else if (signal > 0) {
       kill(child, signal);
-      waitpid(child, &status, 0);
+      waitpid(child, status, 0);
       raise(signal);
-      return status;
+      return false;
     }
   }
 }
 
 static bool run_linker(const Strings *argv, const Guard *guard) {
+  signal(SIGCHLD, SIG_DFL);  // who started lsysc may have had it ignored
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setsigmask(&attributes, &guard->before);
@@ -188,7 +190,8 @@ static bool run_linker(const Strings *argv, const Guard *guard) {
   if (error)
     return report_error("cannot run the linker `%s`: %s; install a C compiler or name one with --linker", argv->at[0],
                         strerror(error));
-  int status = wait_for(child, guard);
+  int status;
+  if (!wait_for(child, guard, &status)) return false;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return true;
   if (WIFSIGNALED(status)) return report_error("the linker `%s` was ended by signal %d", argv->at[0], WTERMSIG(status));
   return report_error("linking failed: `%s` ended with status %d", argv->at[0], WEXITSTATUS(status));

@@ -8,6 +8,6 @@ for i in 1 2 3 4 5 6 7 8 9 10; do
   sleep 0.2
 done
 kill -TERM $!
-wait $!
+wait $! 2> /dev/null
 echo "status $?"
 ls -A
