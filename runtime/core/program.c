@@ -43,20 +43,26 @@ static bool add_reports(Outputs *outputs, const LsysSinkContext *context) {
       || add_sink(outputs, *context, lsys_sink_hash, LSYS_READS_WORD, outputs->screen);
 }
 
-// Reports go to standard output; the word too, unless it has a file or only reports were asked for.
-static bool open_outputs(Outputs *outputs, const LsysSinkContext *context) {
+static bool add_word(Outputs *outputs, const LsysSinkContext *context) {
   const LsysOptionValue *options = context->options->at;
   const LsysOptionValue *path = &options[LSYS_OPTION_OUTPUT], *name = &options[LSYS_OPTION_FORMAT];
   bool to_file = path->given && strcmp(path->text, "-") != 0;
-  outputs->screen = lsys_out_open("-");
-  if (!outputs->screen || !add_reports(outputs, context)) return false;
-  outputs->only_counts = options[LSYS_OPTION_COUNTS].given && outputs->count == 1
-                      && !(context->grammar->homomorphism && options[LSYS_OPTION_HOMOMORPHISM].given);
-  if (outputs->count && !path->given && !name->given) return true;
-  outputs->only_counts = false;
   const LsysFormat *format = lsys_format_find(name->text, path->given ? path->text : "-");
   if (!format || (to_file && !(outputs->file = lsys_out_open(path->text)))) return false;
   return add_sink(outputs, *context, format->create, format->reads, to_file ? outputs->file : outputs->screen);
+}
+
+// Reports go to standard output; the word too and before them, unless it has a file or only reports were asked for.
+static bool open_outputs(Outputs *outputs, const LsysSinkContext *context) {
+  const LsysOptionValue *options = context->options->at;
+  bool counts = options[LSYS_OPTION_COUNTS].given;
+  bool reports = counts || options[LSYS_OPTION_STATS].given || options[LSYS_OPTION_HASH].given;
+  bool word = !reports || options[LSYS_OPTION_OUTPUT].given || options[LSYS_OPTION_FORMAT].given;
+  outputs->screen = lsys_out_open("-");
+  if (!outputs->screen || (word && !add_word(outputs, context)) || !add_reports(outputs, context)) return false;
+  outputs->only_counts =
+    counts && outputs->count == 1 && !(context->grammar->homomorphism && options[LSYS_OPTION_HOMOMORPHISM].given);
+  return true;
 }
 
 // Completes the files if all went well, else removes them.
