@@ -31,7 +31,7 @@ void manual_page(FILE *out) {
         out);
   for (int i = 0; i < COMMAND_COUNT; i++) {
     const CommandRow *command = &command_table[i];
-    fprintf(out, "%s.B lsysc %s\n", i ? ".br\n" : "", command->name);
+    fprintf(out, "%s.B lsysc%s%s\n", i ? ".br\n" : "", i ? " " : "", command->name);
     roff(out, command->arguments);
     fputc('\n', out);
   }
@@ -42,7 +42,7 @@ void manual_page(FILE *out) {
         out);
   for (int i = 0; i < COMMAND_COUNT; i++) {
     const CommandRow *command = &command_table[i];
-    fprintf(out, ".TP\n.B lsysc %s\n", command->name);
+    fprintf(out, ".TP\n.B lsysc%s%s\n", i ? " " : "", command->name);
     roff(out, command->summary);
     fputs(".\n", out);
     roff(out, command->doc);
@@ -80,7 +80,7 @@ void manual_bash(FILE *out) {
   fputs("# bash completions for lsysc\n"
         "_lsysc() {\n"
         "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} words\n"
-        "  [[ $word == = ]] && word= \n"
+        "  [[ $word == = ]] && word=\n"
         "  [[ $before == = ]] && before=${COMP_WORDS[COMP_CWORD-2]}\n"
         "  case $before in\n",
         out);
