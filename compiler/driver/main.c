@@ -111,7 +111,7 @@ static int process(Session *session, const char *path) {
   const SourceFile *file = sources_read(session->sources, path, (Span){0}, &why);
   if (!file) return report_error("%s: %s", path, why), EXIT_FAILURE;
 
-  if (options->list_systems) return fractint_list(session->arena, file, stdout), !printed();
+  if (options->list_systems) return fractint_list(file, stdout), !printed();
   if (options->dump == DUMP_TOKENS) {
     parse_dump_tokens(session->arena, session->sources, session->diag, file, &options->parse, stdout);
     return printed() && !failed(session) ? EXIT_SUCCESS : EXIT_FAILURE;

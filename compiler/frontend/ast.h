@@ -159,8 +159,6 @@ typedef struct AstRules {
   bool literal_context_brackets;  // cpfg: "]" and "=" in right contexts
   bool unweighted_counts_one;     // cpfg: no weight among weighted ones is 1
   bool last_ignore_counts;        // cpfg
-  bool clockwise;                 // mws: "+" turns right
-  unsigned colours;               // fractint: 256; 0: unlimited
 } AstRules;
 
 typedef struct Ast {

@@ -233,13 +233,12 @@ static void weigh_all(Check *check, ProductionList *productions) {
 static void finish_settings(Check *check) {
   Program *program = check->program;
   for (int i = 0; i < LSYS_SETTING_COUNT; i++) program->settings[i] = check->settings[i];
-  Expr *steps = program->settings[LSYS_SETTING_STEPS], **turns = &program->settings[LSYS_SETTING_TURNS];
+  Expr *steps = program->settings[LSYS_SETTING_STEPS];
   double value;
   if (steps && steps != check->poison && expr_constant(program, steps, &value)) {
     whole(check, steps, "the number of steps", 0, LARGEST_WHOLE);
     if (value > 0 && value < 1) diag_hint(check->diag, "the length of F is given by `step:`");
   }
-  if (check->ast->rules.clockwise && !*turns) *turns = expr_number(check->arena, 1, (Span){0, 0});
   if (check->seed) program->seed = (uint64_t)whole(check, check->seed, "a seed", 0, LARGEST_WHOLE);
 }
 

@@ -5,6 +5,8 @@
 // comes out of it unchanged.
 #include "frontend/fmt_comment.h"
 
+#include "frontend/mws.h"
+
 #include <ctype.h>
 #include <string.h>
 
@@ -101,10 +103,26 @@ static void print_comment(FmtLines *lines, const char *at, const char *end) {
   }
 }
 
+// In mws a comment is a whole line, and not every line with `#`.
+static void mws_gap(FmtLines *lines, const char *at, const char *end) {
+  while (at < end) {
+    const char *stop = line_end(at, end);
+    MwsLine what = mws_line(at, stop);
+    lines->blank |= what == MWS_EMPTY && !lines->line;
+    fmt_end_line(lines);
+    if (what == MWS_COMMENT) print_comment(lines, skip_blanks(at, stop) + 1, stop);
+    at = stop < end ? stop + 1 : end;
+  }
+}
+
 void fmt_foreign_gap(FmtLines *lines, const char *dialect, const char *at, const char *end) {
-  const char *mark = strcmp(dialect, "fractint") == 0 ? ";" : strcmp(dialect, "mws") == 0 ? "#" : "//";
+  const char *mark = strcmp(dialect, "fractint") == 0 ? ";" : "//";
   bool blocks = *mark == '/';
   bool alone = *mark == ';';  // the statements between the comments are printed behind them
+  if (strcmp(dialect, "mws") == 0) {
+    mws_gap(lines, at, end);
+    return;
+  }
   while (at < end) {
     if (*at == '\n') {
       lines->blank |= !lines->line && !alone;

@@ -133,19 +133,23 @@ static bool has_colon(const char *at, const char *end) {
   return memchr(at, ':', (size_t)(end - at)) != NULL;
 }
 
-bool fractint_recognise(Arena *arena, const SourceFile *file) {
+bool fractint_recognise(const SourceFile *file) {
+  Arena *arena = arena_create();
   Systems systems = find_systems(arena, file);
-  for (size_t i = 0; i < systems.count; i++) {
+  bool found = false;
+  for (size_t i = 0; i < systems.count && !found; i++) {
     const System *system = &systems.at[i];
     const char *name = file->text + (system->name.begin - file->base);
     const char *body = file->text + (system->body.begin - file->base);
     bool block = has_colon(name, file->text + (system->brace.begin - file->base));
-    if (!system->foreign && !block && has_keyword(body, body + (system->body.end - system->body.begin))) return true;
+    found = !system->foreign && !block && has_keyword(body, body + (system->body.end - system->body.begin));
   }
-  return false;
+  arena_destroy(arena);
+  return found;
 }
 
-void fractint_list(Arena *arena, const SourceFile *file, FILE *out) {
+void fractint_list(const SourceFile *file, FILE *out) {
+  Arena *arena = arena_create();
   Systems systems = find_systems(arena, file);
   for (size_t i = 0; i < systems.count; i++) {
     const System *system = &systems.at[i];
@@ -153,6 +157,7 @@ void fractint_list(Arena *arena, const SourceFile *file, FILE *out) {
     fprintf(out, "%.*s\n", (int)(system->name.end - system->name.begin),
             file->text + (system->name.begin - file->base));
   }
+  arena_destroy(arena);
 }
 
 // ---- statements ------------------------------------------------------------
@@ -312,14 +317,14 @@ static void add_setting(Parser *parser, Ast *ast, LsysSetting setting, Span span
 
 // What every system has: a turn of 360/n degrees, a start to the right in colour 15, order 2.
 static void add_settings(Parser *parser, Ast *ast) {
-  FractintWords *words = &parser->words;
+  AstBuilder build = parser->words.build;
   Span span = parser->angle_line;
-  AstExpr *turn = fractint_binary(words, parser->angle, OP_DIV, fractint_number(words, parser->angle, 360),
-                                  fractint_number(words, parser->angle, words->angle));
+  AstExpr *circle = ast_number(build, parser->angle, 360);
+  AstExpr *turn = ast_binary(build, OP_DIV, circle, ast_number(build, parser->angle, parser->words.angle));
   add_setting(parser, ast, LSYS_SETTING_ANGLE, span, turn);
-  add_setting(parser, ast, LSYS_SETTING_HEADING, span, fractint_number(words, span, 0));
-  add_setting(parser, ast, LSYS_SETTING_COLOUR, span, fractint_number(words, span, START_COLOUR));
-  add_setting(parser, ast, LSYS_SETTING_STEPS, span, fractint_number(words, span, DEFAULT_ORDER));
+  add_setting(parser, ast, LSYS_SETTING_HEADING, span, ast_number(build, span, 0));
+  add_setting(parser, ast, LSYS_SETTING_COLOUR, span, ast_number(build, span, START_COLOUR));
+  add_setting(parser, ast, LSYS_SETTING_STEPS, span, ast_number(build, span, DEFAULT_ORDER));
 }
 
 static void add_production(Parser *parser, Ast *ast, const Rule *rule) {
@@ -349,15 +354,25 @@ static void lower(Parser *parser, const System *system, Ast *ast) {
 
 // ---- choosing a system -----------------------------------------------------
 
+static char *lower_case(Arena *arena, const char *text, size_t length) {
+  char *copy = arena_copy(arena, text, length);
+  for (size_t i = 0; i < length; i++)
+    if (copy[i] >= 'A' && copy[i] <= 'Z') copy[i] = (char)(copy[i] + ('a' - 'A'));
+  return copy;
+}
+
 static void report_unknown(const Parser *parser, const Systems *systems, const char *wanted) {
   VEC(const char *) names = {0};
-  for (size_t i = 0; i < systems->count; i++)
-    *VEC_PUSH(parser->arena, &names) = arena_copy(parser->arena, text_at(parser, systems->at[i].name.begin),
-                                                  systems->at[i].name.end - systems->at[i].name.begin);
+  for (size_t i = 0; i < systems->count; i++) {
+    Span name = systems->at[i].name;
+    *VEC_PUSH(parser->arena, &names) = lower_case(parser->arena, text_at(parser, name.begin), name.end - name.begin);
+  }
   diag_error(parser->diag, (Span){0}, "`%s` has no system `%s`", parser->file->path, wanted);
-  const char *near = diag_nearest(wanted, names.at, names.count);
-  if (near) diag_hint(parser->diag, "did you mean `%s`?", near);
-  diag_hint(parser->diag, "--list-systems shows those that it has");
+  const char *near = diag_nearest(lower_case(parser->arena, wanted, strlen(wanted)), names.at, names.count);
+  if (near)
+    diag_hint(parser->diag, "did you mean `%s`?", near);
+  else
+    diag_hint(parser->diag, "--list-systems shows those that it has");
 }
 
 // A } that was forgotten makes Fractint skip the entry without a word.
@@ -401,10 +416,10 @@ Ast *fractint_parse(Arena *arena, Sources *sources, struct Diag *diag, const Sou
   (void)sources;  // the dialect has no includes
   Parser *parser = ARENA_NEW(arena, Parser);
   *parser = (Parser){.arena = arena, .diag = diag, .file = file};
-  parser->words = (FractintWords){.arena = arena, .diag = diag, .file = file};
+  parser->words = (FractintWords){.build = {arena, diag}, .file = file};
   Ast *ast = ARENA_NEW(arena, Ast);
   ast->file = file;
-  ast->rules = (AstRules){.dialect = "fractint", .colours = 256};
+  ast->rules.dialect = "fractint";
   Systems systems = find_systems(arena, file);
   const System *system = choose(parser, &systems, options->system);
   if (!system) return ast;

@@ -5,7 +5,7 @@
 #include "frontend/ast.h"
 
 // Is this such a file? It holds a `Name { ... }` with a line of `axiom` or `angle` in it.
-bool fractint_recognise(Arena *arena, const SourceFile *file);
+bool fractint_recognise(const SourceFile *file);
 
 // A file of `Name { ... }` entries -> the Ast of one of them, options->system
 // or the first. Its commands become symbols of our turtle: the result is a
@@ -15,6 +15,6 @@ Ast *fractint_parse(Arena *arena, Sources *sources, struct Diag *diag, const Sou
                     const ParseOptions *options);
 
 // Prints the names of the systems in a file, one a line (--list-systems).
-void fractint_list(Arena *arena, const SourceFile *file, FILE *out);
+void fractint_list(const SourceFile *file, FILE *out);
 
 #endif

@@ -25,25 +25,9 @@ const char *fractint_symbol(FractintWords *words, unsigned char character) {
   if (*symbol) return *symbol;
   if (character == '\\') return *symbol = fractint_symbol(words, '/');
   if (renamed[character]) return *symbol = renamed[character];
-  if (isascii(character) && isalnum(character)) return *symbol = arena_printf(words->arena, "%c", toupper(character));
-  return *symbol = arena_printf(words->arena, "N_%u", character);
-}
-
-AstExpr *fractint_number(FractintWords *words, Span span, double value) {
-  AstExpr *expr = ARENA_NEW(words->arena, AstExpr);
-  *expr = (AstExpr){.kind = AST_NUMBER, .span = span, .number = value, .depth = 1};
-  return expr;
-}
-
-AstExpr *fractint_binary(FractintWords *words, Span span, Operator op, AstExpr *a, AstExpr *b) {
-  AstExpr *expr = ARENA_NEW(words->arena, AstExpr);
-  *expr = (AstExpr){.kind = AST_BINARY,
-                    .op = op,
-                    .span = span,
-                    .a = a,
-                    .b = b,
-                    .depth = 1 + (a->depth > b->depth ? a->depth : b->depth)};
-  return expr;
+  if (isascii(character) && isalnum(character))
+    return *symbol = arena_printf(words->build.arena, "%c", toupper(character));
+  return *symbol = arena_printf(words->build.arena, "N_%u", character);
 }
 
 // ---- reading the string ----------------------------------------------------
@@ -103,45 +87,37 @@ static Number number(Cursor *in, Span command) {
   for (unsigned char c; isdigit(c = peek(in)) || c == '.'; next(in)) {
     odd |= c == '.' && dot;
     dot |= c == '.';
-    if (!odd) *VEC_PUSH(in->words->arena, &digits) = (char)c;
+    if (!odd) *VEC_PUSH(in->words->build.arena, &digits) = (char)c;
   }
   if (digits.count) {
-    *VEC_PUSH(in->words->arena, &digits) = 0;
+    *VEC_PUSH(in->words->build.arena, &digits) = 0;
     result.given = true;
     result.value = strtod(digits.at, NULL);
     result.span = since(in, piece, begin);
   }
   if (odd)
-    diag_warning(in->words->diag, WARN_DIALECT, since(in, piece, begin),
+    diag_warning(in->words->build.diag, WARN_DIALECT, since(in, piece, begin),
                  "a number with two points; what stands from the second on is ignored");
   return result;
 }
 
 // sqrt(n), 1/n and 1/sqrt(n) are kept as written; what is not positive counts as 0.
 static AstExpr *number_expr(FractintWords *words, const Number *n) {
-  AstExpr *expr = fractint_number(words, n->span, n->value > 0 ? n->value : 0);
+  AstExpr *expr = ast_number(words->build, n->span, n->value > 0 ? n->value : 0);
   if (!(n->value > 0)) return expr;
   if (n->root) {
-    AstExpr *call = ARENA_NEW(words->arena, AstExpr);
-    *call = (AstExpr){.kind = AST_CALL, .span = n->span, .name_span = n->span, .name = "sqrt", .depth = 2};
-    *VEC_PUSH(words->arena, &call->args) = expr;
-    expr = call;
+    AstExprs args = {0};
+    *VEC_PUSH(words->build.arena, &args) = expr;
+    expr = ast_call(words->build, n->span, n->span, "sqrt", args);
   }
-  if (n->inverse) expr = fractint_binary(words, n->span, OP_DIV, fractint_number(words, n->span, 1), expr);
-  return expr;
-}
-
-static AstExpr *negative(FractintWords *words, AstExpr *a) {
-  AstExpr *expr = ARENA_NEW(words->arena, AstExpr);
-  *expr = (AstExpr){.kind = AST_UNARY, .op = OP_NEG, .span = a->span, .a = a, .depth = a->depth + 1};
-  return expr;
+  return n->inverse ? ast_binary(words->build, OP_DIV, ast_number(words->build, n->span, 1), expr) : expr;
 }
 
 // A number of colours: whole, below 256.
 static AstExpr *colours(FractintWords *words, const Number *n) {
   double value = n->value > 0 ? n->root ? sqrt(n->value) : n->value : 0;
   if (n->inverse && value > 0) value = 1 / value;
-  return fractint_number(words, n->span, fmod(trunc(value), 256));
+  return ast_number(words->build, n->span, fmod(trunc(value), 256));
 }
 
 // ---- commands --------------------------------------------------------------
@@ -150,9 +126,9 @@ static AstExpr *colours(FractintWords *words, const Number *n) {
 // The units go clockwise; counted to the left they are (n+1)/2.
 static AstExpr *around(FractintWords *words, Span span) {
   if (words->angle % 2 == 0) return NULL;
-  AstExpr *unit =
-    fractint_binary(words, span, OP_DIV, fractint_number(words, span, 360), fractint_number(words, span, words->angle));
-  return fractint_binary(words, span, OP_MUL, unit, fractint_number(words, span, (words->angle + 1) / 2));
+  AstExpr *circle = ast_number(words->build, span, 360), *angle = ast_number(words->build, span, words->angle);
+  AstExpr *unit = ast_binary(words->build, OP_DIV, circle, angle);
+  return ast_binary(words->build, OP_MUL, unit, ast_number(words->build, span, (words->angle + 1) / 2));
 }
 
 // The argument of a command, NULL for one that has none.
@@ -161,13 +137,13 @@ static AstExpr *argument(FractintWords *words, Cursor *in, unsigned char command
   if (!strchr("@/\\c<>", command)) return NULL;
   Number n = number(in, span);
   if (command == '@' && !(n.value > 0))
-    diag_warning(words->diag, WARN_DIALECT, span_join(span, n.span),
+    diag_warning(words->build.diag, WARN_DIALECT, span_join(span, n.span),
                  n.given ? "the step is multiplied by 0" : "`@` without a number multiplies the step by 0");
   if (command == '@') return number_expr(words, &n);
   // Both turns of the second direction are one symbol: `\` to the left, `/` to the right.
   if (command == '\\' || command == '/') {
     AstExpr *angle = number_expr(words, &n);
-    return command == '/' ? negative(words, angle) : angle;
+    return command == '/' ? ast_unary(words->build, angle->span, OP_NEG, angle) : angle;
   }
   return colours(words, &n);
 }
@@ -183,27 +159,27 @@ AstWord fractint_word(FractintWords *words, const FractintString *string) {
     unsigned char c = next(&in);
     Span span = {begin, begin + 1};
     if (c < ' ' || c == 0x7F) {
-      diag_error(words->diag, span, "unprintable character (code %u) in a string of commands", c);
+      diag_error(words->build.diag, span, "unprintable character (code %u) in a string of commands", c);
       continue;
     }
-    if (c == '[') *VEC_PUSH(words->arena, &open) = span;
+    if (c == '[') *VEC_PUSH(words->build.arena, &open) = span;
     if (c == ']' && open.count-- == 0) {
-      diag_warning(words->diag, WARN_DIALECT, span,
+      diag_warning(words->build.diag, WARN_DIALECT, span,
                    "`]` without `[` ends the rule here; what stands behind it is ignored");
       return word;
     }
     AstExpr *arg = argument(words, &in, c, span);
-    AstModule *module = VEC_PUSH(words->arena, &word.modules);
+    AstModule *module = VEC_PUSH(words->build.arena, &word.modules);
     *module = (AstModule){.symbol = fractint_symbol(words, c), .span = since(&in, piece, begin), .symbol_span = span};
     if (!arg)
       module->span = span;
     else
-      *VEC_PUSH(words->arena, &module->args) = arg;
+      *VEC_PUSH(words->build.arena, &module->args) = arg;
     module->parens = arg != NULL;
     word.span = span_join(word.span, module->span);
   }
   if (open.count)
-    diag_error(words->diag, open.at[open.count - 1],
+    diag_error(words->build.diag, open.at[open.count - 1],
                "`[` is never closed in this string; brackets must pair within one rule");
   return word;
 }

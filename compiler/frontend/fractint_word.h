@@ -2,15 +2,14 @@
 #ifndef LSYSC_FRONTEND_FRACTINT_WORD_H
 #define LSYSC_FRONTEND_FRACTINT_WORD_H
 
-#include "frontend/ast.h"
+#include "frontend/ast_build.h"
 
 // A rule may be written on several lines: the pieces are read as one string,
 // so that a number may begin in one and end in the next.
 typedef VEC(Span) FractintString;
 
 typedef struct FractintWords {
-  Arena *arena;
-  struct Diag *diag;
+  AstBuilder build;
   const SourceFile *file;
   unsigned angle;            // turns of `+` in a circle
   const char *symbols[256];  // by character, interned; NULL: not met yet
@@ -20,9 +19,5 @@ typedef struct FractintWords {
 const char *fractint_symbol(FractintWords *words, unsigned char character);
 
 AstWord fractint_word(FractintWords *words, const FractintString *string);
-
-// Nodes of expressions that no text of their own stands for.
-AstExpr *fractint_number(FractintWords *words, Span span, double value);
-AstExpr *fractint_binary(FractintWords *words, Span span, Operator op, AstExpr *a, AstExpr *b);
 
 #endif

@@ -1,16 +1,10 @@
 // parse.c -- which notation a file is in, and its parser (LANGUAGE.md section 7).
 #include "frontend/fractint.h"
+#include "frontend/mws.h"
 #include "frontend/native.h"
 #include "support/diag.h"
-#include "support/utf8.h"
 
-// The first thing in it is `#axiom`.
-static bool is_mws(Arena *arena, const SourceFile *file) {
-  (void)arena;
-  const char *at = file->text, *end = at + file->length;
-  while (at < end && strchr(" \t\r\n", *at)) at++;
-  return utf8_starts(at, end, "#axiom");
-}
+#include <string.h>
 
 typedef Ast *Parse(Arena *arena, Sources *sources, struct Diag *diag, const SourceFile *file,
                    const ParseOptions *options);
@@ -18,22 +12,21 @@ typedef Ast *Parse(Arena *arena, Sources *sources, struct Diag *diag, const Sour
 // In the order in which they are tried; the last takes every file.
 static const struct {
   const char *name;
-  bool (*is)(Arena *arena, const SourceFile *file);
+  bool (*recognise)(const SourceFile *file);
   Parse *parse;
 } dialects[] = {
-  {"mws", is_mws, NULL},
+  {"mws", mws_recognise, mws_parse},
   {"fractint", fractint_recognise, fractint_parse},
   {"native", NULL, native_parse},
 };
 enum { DIALECTS = sizeof dialects / sizeof *dialects, NATIVE = DIALECTS - 1 };
 
 // The dialect asked for or found; -1 if there is none of that name.
-static int find_dialect(Arena *arena, const SourceFile *file, const ParseOptions *options) {
+static int find_dialect(const SourceFile *file, const ParseOptions *options) {
   for (int i = 0; i < DIALECTS; i++) {
-    if (!dialects[i].parse) continue;
     if (options && options->dialect) {
       if (strcmp(options->dialect, dialects[i].name) == 0) return i;
-    } else if (!dialects[i].is || dialects[i].is(arena, file)) {
+    } else if (!dialects[i].recognise || dialects[i].recognise(file)) {
       return i;
     }
   }
@@ -41,7 +34,7 @@ static int find_dialect(Arena *arena, const SourceFile *file, const ParseOptions
 }
 
 Ast *parse_file(Arena *arena, Sources *sources, Diag *diag, const SourceFile *file, const ParseOptions *options) {
-  int dialect = find_dialect(arena, file, options);
+  int dialect = find_dialect(file, options);
   if (dialect < 0) {
     diag_error(diag, (Span){0, 0}, "unknown dialect `%s`", options->dialect);
     dialect = NATIVE;
@@ -54,7 +47,7 @@ Ast *parse_file(Arena *arena, Sources *sources, Diag *diag, const SourceFile *fi
 
 void parse_dump_tokens(Arena *arena, Sources *sources, Diag *diag, const SourceFile *file, const ParseOptions *options,
                        FILE *out) {
-  if (find_dialect(arena, file, options) == NATIVE)
+  if (find_dialect(file, options) == NATIVE)
     native_dump_tokens(arena, sources, diag, file, options, out);
   else
     diag_error(diag, (Span){0, 0}, "only files in the native notation have tokens to print");
