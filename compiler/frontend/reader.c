@@ -167,7 +167,9 @@ static const SourceFile *find_include(Reader *reader, const char *path, Span spa
     }
     tried = arena_printf(reader->arena, "%s/%s", options->include_dirs[i], path);
   }
-  const SourceFile *file = sources_read(reader->sources, tried, span, &why);
+  bool readable = S_ISREG(info.st_mode) || S_ISDIR(info.st_mode);  // a device may never end
+  const SourceFile *file = readable ? sources_read(reader->sources, tried, span, &why) : NULL;
+  if (!readable) why = "is not a file";
   if (!file) diag_error(reader->diag, span, "cannot read the file `%s`: %s", tried, why);
   return file;
 }
