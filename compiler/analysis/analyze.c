@@ -3,6 +3,7 @@
 #include "analysis/analyze.h"
 
 #include "analysis/growth.h"
+#include "support/map.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -108,39 +109,71 @@ static void print_engine(const Program *program, const Facts *facts, FILE *out) 
 
 // ---- kinds -----------------------------------------------------------------------
 
-static void print_kind(const Program *program, const Facts *facts, size_t k, FILE *out) {
+// Code points of a UTF-8 text.
+static int text_width(const char *text) {
+  int width = 0;
+  for (; *text; text++) width += (*text & 0xc0) != 0x80;
+  return width;
+}
+
+static int symbol_width(const Program *program) {
+  int widest = text_width("symbol");
+  for (size_t k = 0; k < program->kind_count; k++) {
+    int width = text_width(program->kinds[k].symbol);
+    if (width > widest) widest = width;
+  }
+  return widest;
+}
+
+static void print_kind(const Program *program, const Facts *facts, size_t k, int width, FILE *out) {
   const Kind *kind = &program->kinds[k];
   const KindFacts *fact = &facts->kinds[k];
-  fprintf(out, "  %4zu  %-8s %5" PRIu32 "  %-6s %6zu  ", k, kind->symbol, kind->arity,
-          kind->turtle == LSYS_TURTLE_NONE ? "-" : lsys_turtle[kind->turtle].symbol, fact->own.count);
-  if (!fact->reachable) fputs("unreachable ", out);
-  if (fact->terminal) fputs("terminal ", out);
-  if (fact->fixed && !fact->terminal) fputs("fixed ", out);
-  if (fact->key) fputs("key ", out);
-  if (kind->ignored) fputs("ignored ", out);
-  if (fact->decompositions.count) fputs("decomposed ", out);
-  if (fact->homomorphisms.count) fputs("shown-as ", out);
+  const struct {
+    bool holds;
+    const char *word;
+  } words[] = {
+    {!fact->reachable, "unreachable"},
+    {fact->terminal, "terminal"},
+    {fact->fixed && !fact->terminal, "fixed"},
+    {fact->key, "key"},
+    {kind->ignored, "ignored"},
+    {fact->decompositions.count, "decomposed"},
+    {fact->homomorphisms.count, "shown-as"},
+  };
+  fprintf(out, "  %4zu  %s%*s  %5" PRIu32 "  %-6s  %5zu ", k, kind->symbol, width - text_width(kind->symbol), "",
+          kind->arity, kind->turtle == LSYS_TURTLE_NONE ? "-" : lsys_turtle[kind->turtle].symbol, fact->own.count);
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+    if (words[i].holds) fprintf(out, " %s", words[i].word);
+  }
   fputc('\n', out);
 }
 
 static void print_kinds(const Program *program, const Facts *facts, FILE *out) {
-  fprintf(out, "\nkinds        %zu\n  byte  symbol   arity  turtle rules   facts\n", program->kind_count);
-  for (size_t k = 0; k < program->kind_count; k++) print_kind(program, facts, k, out);
+  int width = symbol_width(program);
+  fprintf(out, "\nkinds        %zu\n", program->kind_count);
+  fprintf(out, "  %4s  %-*s  %5s  %-6s  %5s  %s\n", "byte", width, "symbol", "arity", "turtle", "rules", "facts");
+  for (size_t k = 0; k < program->kind_count; k++) print_kind(program, facts, k, width, out);
   fprintf(out, "longest successor: %zu module%s, %zu argument%s\n", facts->longest_successor,
           facts->longest_successor == 1 ? "" : "s", facts->most_arguments, facts->most_arguments == 1 ? "" : "s");
 }
 
 // ---- growth ----------------------------------------------------------------------
 
+// How many kinds have each symbol.
+static Map *count_symbols(Arena *arena, const Program *program) {
+  Map *map = map_create(arena);
+  for (size_t k = 0; k < program->kind_count; k++) {
+    uint32_t *count = map_place(map, program->kinds[k].symbol, 0);
+    *count = *count == MAP_NONE ? 1 : *count + 1;
+  }
+  return map;
+}
+
 // Symbol and, where another kind has the same symbol, number of arguments.
-static void print_name(const Program *program, size_t k, FILE *out) {
-  const Kind *kind = &program->kinds[k];
+static void print_name(const Kind *kind, const Map *symbols, FILE *out) {
   fputs(kind->symbol, out);
-  for (size_t other = 0; other < program->kind_count; other++) {
-    if (other != k && strcmp(program->kinds[other].symbol, kind->symbol) == 0) {
-      fprintf(out, "(%" PRIu32 " arguments)", kind->arity);
-      return;
-    }
+  if (map_find(symbols, kind->symbol, 0) > 1) {
+    fprintf(out, "(%" PRIu32 " argument%s)", kind->arity, kind->arity == 1 ? "" : "s");
   }
 }
 
@@ -151,18 +184,21 @@ static bool is_unit_row(const LsysGrowth *growth, size_t k) {
 
 static void print_matrix(const Program *program, const Facts *facts, FILE *out) {
   const LsysGrowth *growth = &facts->growth;
+  Arena *arena = arena_create();
+  const Map *symbols = count_symbols(arena, program);
   fputs("\ngrowth matrix (one module becomes; kinds that stay are left out)\n", out);
   for (size_t k = 0; k < program->kind_count; k++) {
     if (!facts->kinds[k].reachable || is_unit_row(growth, k)) continue;
     fputs("  ", out);
-    print_name(program, k, out);
+    print_name(&program->kinds[k], symbols, out);
     fputs(" ->", out);
     for (uint32_t e = growth->row[k]; e < growth->row[k + 1]; e++) {
       fprintf(out, "  %" PRIu32 " ", growth->count[e]);
-      print_name(program, growth->kind[e], out);
+      print_name(&program->kinds[growth->kind[e]], symbols, out);
     }
     fputs(growth->row[k] == growth->row[k + 1] ? "  nothing\n" : "\n", out);
   }
+  arena_destroy(arena);
 }
 
 static void print_rate(GrowthRate growth, FILE *out) {

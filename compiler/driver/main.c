@@ -54,6 +54,13 @@ static int run_jit(const Session *session) {
   return status;
 }
 
+static int run_interp(const Session *session) {
+  const LsysGrammar *grammar = interp_grammar(session->arena, session->checked, session->description);
+  int status = run_program(session, grammar);
+  interp_release(grammar);
+  return status;
+}
+
 // Generated code as the back end writes it, in memory, so that no half-written file can be left behind.
 static char *generate(const Session *session, const BackendOptions *how, size_t *size) {
   const Backend *backend = backend_load(session->arena, home_find(session->arena));
@@ -137,8 +144,7 @@ static int process(Session *session, const char *path) {
   session->description = describe(session->arena, session->checked, session->facts);
   if (options->dump == DUMP_IR) return dump_ir(session);
   if (options->command == COMMAND_RUN) return run_jit(session);
-  if (options->command == COMMAND_INTERP)
-    return run_program(session, interp_grammar(session->arena, session->checked, session->description));
+  if (options->command == COMMAND_INTERP) return run_interp(session);
   return emit(session);
 }
 
