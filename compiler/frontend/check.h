@@ -192,6 +192,7 @@ const bool *check_reachable(Check *check);
 // check_names.c
 Name *name_intern(Check *check, const char *text);
 Definition *name_definition(const Check *check, const Name *name);
+bool name_is_bound(const Check *check, const Name *name);  // does it stand for a number or a function here?
 void name_unknown(Check *check, Name *name, Span span, bool call);
 void check_scope(Check *check, ScopeKind kind);
 uint32_t check_bind(Check *check, const char *name, Span span);

@@ -65,7 +65,7 @@ Slot *check_bound(const Check *check, const Name *name) {
 
 static const char *const constants[] = {"pi", "nan", "inf"};
 
-static bool is_bound(const Check *check, const Name *name) {
+bool name_is_bound(const Check *check, const Name *name) {
   return check_bound(check, name) || name->global != NONE || name->array != NONE || name_definition(check, name);
 }
 
@@ -77,7 +77,7 @@ static const char *nearest(Check *check, const char *text, bool call) {
     arena_array(check->arena, check->names.count + CONSTANTS + LSYS_FN_COUNT, sizeof *candidates);
   size_t count = 0;
   for (size_t i = 0; i < check->names.count; i++)
-    if (is_bound(check, check->names.at[i])) candidates[count++] = check->names.at[i]->text;
+    if (name_is_bound(check, check->names.at[i])) candidates[count++] = check->names.at[i]->text;
   for (size_t i = 0; i < CONSTANTS && !call; i++) candidates[count++] = constants[i];
   for (size_t i = 0; i < LSYS_FN_COUNT && call; i++) candidates[count++] = lsys_functions[i].name;
   return diag_nearest(text, candidates, count);

@@ -113,6 +113,12 @@ static void read_environment(Check *check, const AstStatement *statement) {
     diag_warning(check->diag, WARN_REDEFINED, statement->span, "`environment:` is given twice; the last one counts");
     diag_note(check->diag, check->program->environment->span, "the other one is here");
   }
+  AstExprKind kind = statement->value->kind;
+  if (kind != AST_CALL && kind != AST_NAME && kind != AST_STRING && kind != AST_POISON) {
+    diag_error(check->diag, statement->value->span,
+               "an environment is a name, with settings in parentheses if it has any");
+    diag_hint(check->diag, "such as `environment: occupancy(cell=0.5)`");
+  }
   check->program->environment = statement->value;
 }
 

@@ -10,13 +10,17 @@ static bool is_symbol(const AstModule *module, const char *symbol) {
 
 // ---- words -----------------------------------------------------------------------
 
-// `?(NAME, scale)` names a sub-L-system; in the Program it is its number.
+// `?(NAME, scale)` names a sub-L-system; in the Program it is its number. cpfg's names are numbers themselves.
 static Expr *subsystem(Check *check, const AstExpr *ast) {
-  if (ast->kind == AST_NAME) {
-    uint32_t index = system_named(check, ast->name, ast->span);
-    return index == NONE ? check->poison : expr_number(check->arena, index, ast->span);
-  }
-  return check_expression(check, ast);
+  const char *name = ast->kind == AST_NAME ? ast->name : NULL;
+  if (ast->kind == AST_NUMBER) name = arena_printf(check->arena, "%.17g", ast->number);
+  if (!name) return check_expression(check, ast);
+  bool known = map_find(check->system_map, name, 0) != MAP_NONE;
+  bool number = ast->kind == AST_NUMBER && ast->number < (double)check->systems.count;
+  bool bound = ast->kind == AST_NAME && name_is_bound(check, name_intern(check, name));
+  if (!known && (number || bound)) return check_expression(check, ast);
+  uint32_t index = system_named(check, name, ast->span);
+  return index == NONE ? check->poison : expr_number(check->arena, index, ast->span);
 }
 
 static Expr **module_arguments(Check *check, const AstModule *module) {

@@ -236,6 +236,8 @@ static void subsystems(void **state) {
   (void)state;
   accepts("axiom: ?(leaf,2)A$\nlsystem: leaf\nA --> AA\nendlsystem\nA --> B\n", "axiom 0: ?(1,2) A $\n",
           "lsystem 1 leaf\n  production 0: A", NULL);
+  accepts("axiom: ?(k)A$?(1)$\n#define k 1\nlsystem: leaf\nA --> AA\nendlsystem\n", "axiom 0: ?(k) A $ ?(1) $\n", NULL);
+  refuses("axiom: ?(2)A$\nlsystem: leaf\nA --> AA\nendlsystem\n", "1:10: error: unknown L-system `2`");
   refuses("axiom: ?(laef)A$\nlsystem: leaf\nA --> AA\nendlsystem\n", "unknown L-system `laef`; did you mean `leaf`?");
 }
 
