@@ -220,6 +220,7 @@ Expr *check_match(Check *check);
 
 // check_productions.c, check_actions.c, check_values.c: one statement
 void check_production(Check *check, const AstStatement *statement);
+void check_unused(Check *check, size_t parameters);  // warns of the scope's first slots that nothing used
 Actions check_actions(Check *check, const AstActions *actions);
 void values_begin(Check *check);  // once all values and functions are collected
 void check_definition(Check *check, const AstStatement *statement);

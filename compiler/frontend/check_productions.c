@@ -32,7 +32,7 @@ static void check_label(Check *check, const AstProduction *ast) {
             ast->label);
 }
 
-static void check_unused(Check *check, size_t parameters) {
+void check_unused(Check *check, size_t parameters) {
   for (size_t i = 0; i < parameters; i++) {
     const Slot *slot = &check->scope.slots.at[i];
     if (slot->name && !slot->used)

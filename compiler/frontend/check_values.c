@@ -25,6 +25,7 @@ static void read_function(Check *check, const AstStatement *statement, const Def
   check->referring = &check->references[check->values.count + definition->index];
   function->body = check_expression(check, statement->value);
   check->referring = NULL;
+  check_unused(check, function->arity);
 }
 
 static void read_value(Check *check, const AstStatement *statement, const Definition *definition) {
