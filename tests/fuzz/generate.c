@@ -21,7 +21,7 @@ typedef struct Generator {
   Kind kinds[MOST_KINDS];
   int kind_count;
   int formals;  // of the production that is being made
-  bool parametric, guarded, stochastic, bracketed, left, right, decomposes, defines, drawn;
+  bool parametric, guarded, stochastic, bracketed, cuts, left, right, decomposes, defines, drawn;
 } Generator;
 
 // ---- chance ------------------------------------------------------------------
@@ -137,6 +137,8 @@ static void add_modules(Generator *g, FuzzWord *word, int count, int depth) {
       *VEC_PUSH(g->arena, word) = (FuzzModule){.symbol = '['};
       add_modules(g, word, 1 + below(g, 2), depth - 1);
       *VEC_PUSH(g->arena, word) = (FuzzModule){.symbol = ']'};
+    } else if (g->cuts && chance(g, 4)) {
+      *VEC_PUSH(g->arena, word) = (FuzzModule){.symbol = '%'};
     } else if (chance(g, 35)) {
       FuzzModule made = terminal(g);
       *VEC_PUSH(g->arena, word) = made;
@@ -144,6 +146,15 @@ static void add_modules(Generator *g, FuzzWord *word, int count, int depth) {
       FuzzModule made = module_of(g, &g->kinds[below(g, g->kind_count)]);
       *VEC_PUSH(g->arena, word) = made;
     }
+  }
+}
+
+// A word in which something goes on growing.
+static void add_growth(Generator *g, FuzzWord *word) {
+  int count = 1 + chance(g, 50);
+  for (int i = 0; i < count; i++) {
+    FuzzModule made = module_of(g, &g->kinds[below(g, g->kind_count)]);
+    *VEC_PUSH(g->arena, word) = made;
   }
 }
 
@@ -178,12 +189,14 @@ static void add_rule(Generator *g, const Kind *kind, RuleSection section, bool w
   FuzzRule rule = {.section = section};
   bool contexts = section == RULE_DERIVATION;
   g->formals = 0;
-  if (contexts && g->left && chance(g, 40)) add_context(g, &rule.left, false);
+  int often = last ? 15 : 50;  // the last one is what mostly happens
+  if (contexts && g->left && chance(g, often)) add_context(g, &rule.left, false);
   *VEC_PUSH(g->arena, &rule.strict) = pattern(g, kind, true);
-  if (contexts && g->right && chance(g, 40)) add_context(g, &rule.right, true);
+  if (contexts && g->right && chance(g, often)) add_context(g, &rule.right, true);
   bool needs_guard = !last && !weighted && !rule.left.count && !rule.right.count;  // else what follows is never reached
-  if (g->formals && g->guarded && (needs_guard || chance(g, 60))) rule.guard = condition(g);
-  add_modules(g, &rule.successor, below(g, section == RULE_DERIVATION ? 5 : 4), 2);
+  if (g->formals && g->guarded && (needs_guard || chance(g, last ? 20 : 60))) rule.guard = condition(g);
+  if (chance(g, last ? 80 : 50)) add_growth(g, &rule.successor);
+  if (chance(g, 85)) add_modules(g, &rule.successor, 1 + below(g, section == RULE_DERIVATION ? 4 : 2), 2);
   if (weighted) rule.weight = chance(g, 80) ? number(g) : expression(g, 2);
   *VEC_PUSH(g->arena, &g->grammar->rules) = rule;
 }
@@ -215,6 +228,8 @@ static void choose_features(Generator *g) {
   g->decomposes = chance(g, 25);
   g->defines = g->parametric && chance(g, 40);
   g->drawn = chance(g, 80);
+  g->cuts = g->bracketed && chance(g, 15);
+  g->grammar->ring = (g->left || g->right) && !g->bracketed && chance(g, 15);
 }
 
 static void choose_ignore(Generator *g) {
@@ -237,9 +252,10 @@ FuzzGrammar *fuzz_generate(Arena *arena, uint64_t number_, double longest) {
   }
   grammar->seed = draw(g) % 1000;
   grammar->depth = 1 + below(g, 3);
-  add_modules(g, &grammar->axiom, 1 + below(g, 4), 1);
+  add_growth(g, &grammar->axiom);
+  add_modules(g, &grammar->axiom, below(g, 4), 1);
   for (int i = 0; i < g->kind_count; i++)
-    if (chance(g, 85)) add_family(g, &g->kinds[i], RULE_DERIVATION);
+    if (chance(g, 95)) add_family(g, &g->kinds[i], RULE_DERIVATION);
   for (int i = 0; g->decomposes && i < g->kind_count; i++)
     if (chance(g, 40)) add_family(g, &g->kinds[i], RULE_DECOMPOSITION);
   choose_ignore(g);

@@ -1,0 +1,229 @@
+// engines.c -- one random grammar through all engines.
+//
+// Interpreter and JIT run in this process and write into memory; executables
+// are made by lsysc and compared by what they print.
+#include "engines.h"
+
+#include "core/derive.h"
+#include "core/message.h"
+#include "frontend/fmt.h"
+#include "interp/interp.h"
+#include "support/diag.h"
+
+#include <fcntl.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+const char *const verdict_names[VERDICTS] = {"agree", "refused", "unsupported", "differ", "crash", "late"};
+
+// ---- words in memory -----------------------------------------------------------
+
+typedef struct Collector {
+  LsysSink sink;
+  Arena *arena;
+  VEC(uint8_t) sym;
+  VEC(double) arg;
+  unsigned width;
+} Collector;
+
+static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
+  (void)axiom, (void)pass;
+  ((Collector *)sink)->width = run->grammar->flags & LSYS_GRAMMAR_WIDE ? 2 : 1;
+  return true;
+}
+
+static bool take(LsysSink *sink, const LsysWord *part) {
+  Collector *to = (Collector *)sink;
+  for (uint64_t i = 0; i < part->nsym * to->width; i++) *VEC_PUSH(to->arena, &to->sym) = part->sym[i];
+  for (uint64_t i = 0; i < part->narg; i++) *VEC_PUSH(to->arena, &to->arg) = part->arg[i];
+  return true;
+}
+
+static bool end(LsysSink *sink) {
+  (void)sink;
+  return true;
+}
+
+static bool derive(const LsysGrammar *grammar, Collector *into) {
+  LsysOptions options = {0};
+  LsysMemory memory = {.limit = UINT64_C(1) << 31};
+  LsysDerivation derivation;
+  bool well = lsys_derivation_open(&derivation, grammar, &options, &memory);
+  for (uint32_t axiom = 0; well && axiom < grammar->axiom_count; axiom++)
+    well = lsys_derivation_run(&derivation, axiom, &into->sink, 0);
+  lsys_derivation_close(&derivation);
+  return well;
+}
+
+static Collector collector(Arena *arena) {
+  return (Collector){.sink = {.passes = 1, .begin = begin, .take = take, .end = end, .finish = end}, .arena = arena};
+}
+
+// Every nan is the same one.
+static bool same_number(double a, double b) {
+  return memcmp(&a, &b, sizeof a) == 0 || (a != a && b != b);
+}
+
+static bool same_word(const Collector *a, const Collector *b, const char *who) {
+  size_t count = a->sym.count < b->sym.count ? a->sym.count : b->sym.count;
+  for (size_t i = 0; i < count; i++)
+    if (a->sym.at[i] != b->sym.at[i]) {
+      fprintf(stderr, "%s: module %zu differs\n", who, i / a->width);
+      return false;
+    }
+  if (a->sym.count != b->sym.count) {
+    fprintf(stderr, "%s: %zu modules in place of %zu\n", who, b->sym.count / a->width, a->sym.count / a->width);
+    return false;
+  }
+  for (size_t i = 0; i < a->arg.count && i < b->arg.count; i++)
+    if (!same_number(a->arg.at[i], b->arg.at[i])) {
+      fprintf(stderr, "%s: argument %zu is %.17g in place of %.17g\n", who, i, b->arg.at[i], a->arg.at[i]);
+      return false;
+    }
+  return true;
+}
+
+// ---- compilations ---------------------------------------------------------------
+
+typedef struct Compilation {
+  Arena *arena;
+  Diag *diag, *quiet;
+  const Ast *ast;
+  const Program *program;
+  const Facts *facts;
+  const LsysGrammar *description;
+} Compilation;
+
+// Text -> description. False after errors, which are printed; what the code generator says is not.
+static bool compile(Compilation *c, Arena *arena, const char *text, size_t length, FILE *nowhere) {
+  *c = (Compilation){.arena = arena};
+  Sources *sources = sources_create(arena);
+  DiagOptions options;
+  diag_options_default(&options);
+  options.no_warnings = true;
+  c->diag = diag_create(arena, sources, &options);
+  options.out = nowhere;
+  c->quiet = diag_create(arena, sources, &options);
+  const SourceFile *file = sources_add(sources, "fuzz.lsys", arena_copy(arena, text, length), length, (Span){0});
+  c->ast = parse_file(arena, sources, c->diag, file, &(ParseOptions){0});
+  if (!diag_errors(c->diag)) c->program = check(arena, c->ast, c->diag);
+  if (!c->program || diag_errors(c->diag)) return false;
+  c->facts = facts_find(arena, c->program);
+  c->description = describe(arena, c->program, c->facts);
+  return true;
+}
+
+static bool interpret(const Compilation *c, Collector *into) {
+  LsysGrammar *grammar = interp_grammar(c->arena, c->program, c->description);
+  bool well = derive(grammar, into);
+  interp_release(grammar);
+  return well;
+}
+
+// What fmt prints must mean the same, and be a fixed point.
+static bool survives_printing(const Compilation *c, const Collector *word, FILE *nowhere) {
+  char *once, *twice;
+  size_t once_size, twice_size;
+  FILE *out = open_memstream(&once, &once_size);
+  fmt_print(c->ast, out);
+  fclose(out);
+  Compilation again;
+  bool well = compile(&again, c->arena, once, once_size, nowhere);
+  if (well) {
+    out = open_memstream(&twice, &twice_size);
+    fmt_print(again.ast, out);
+    fclose(out);
+    Collector other = collector(c->arena);
+    well = interpret(&again, &other) && same_word(word, &other, "after fmt");
+    if (well && (once_size != twice_size || memcmp(once, twice, once_size) != 0)) {
+      fputs("fmt: a second pass changes the text\n", stderr);
+      well = false;
+    }
+    free(twice);
+  }
+  free(once);
+  return well;
+}
+
+static Verdict compare_jit(const Engines *engines, const Compilation *c, const Collector *word) {
+  if (!engines->backend) return VERDICT_AGREE;
+  BackendOptions options = {.optimise = 2, .symbol = "lsys_grammar"};
+  Jit *jit =
+    engines->backend->jit(c->program, c->facts, c->description, &options, lsys_symbols, lsys_symbol_count, c->diag);
+  if (!jit) return VERDICT_UNSUPPORTED;
+  Collector other = collector(c->arena);
+  bool well = derive(engines->backend->jit_grammar(jit), &other) && same_word(word, &other, "jit");
+  engines->backend->jit_free(jit);
+  return well ? VERDICT_AGREE : VERDICT_DIFFER;
+}
+
+// ---- executables ----------------------------------------------------------------
+
+static Verdict compare_executables(const Engines *engines, Arena *arena, const char *text, size_t length) {
+  char *path = arena_printf(arena, "%s/%d", engines->folder, (int)getpid());
+  FILE *out = fopen(arena_printf(arena, "%s.lsys", path), "w");
+  if (!out) return VERDICT_DIFFER;
+  fwrite(text, 1, length, out);
+  fclose(out);
+  const char *script = "\"$L\" interp $G.lsys -w --hash >$G.h && \"$L\" interp $G.lsys -w >$G.w || exit 1\n"
+                       "for o in 0 2; do\n"
+                       "  \"$L\" -w -O$o -o $G.x $G.lsys || exit 1\n"
+                       "  $G.x --hash | cmp - $G.h && $G.x | cmp - $G.w || exit 1\n"
+                       "done\n";
+  char *command = arena_printf(arena, "L='%s' G='%s'\n%s", engines->lsysc, path, script);
+  bool well = system(command) == 0;
+  for (size_t i = 0; i < 4; i++) {
+    static const char *const suffixes[] = {"lsys", "h", "w", "x"};
+    unlink(arena_printf(arena, "%s.%s", path, suffixes[i]));
+  }
+  if (!well) fputs("executables: see above\n", stderr);
+  return well ? VERDICT_AGREE : VERDICT_DIFFER;
+}
+
+// ---- all together ---------------------------------------------------------------
+
+Verdict engines_compare(const Engines *engines, const FuzzGrammar *grammar, bool executables, uint64_t *modules) {
+  Arena *arena = arena_create();
+  char *text;
+  size_t length;
+  FILE *out = open_memstream(&text, &length);
+  fuzz_print(grammar, out);
+  fclose(out);
+  Compilation c;
+  Collector word = collector(arena);
+  Verdict verdict = VERDICT_AGREE;
+  if (!compile(&c, arena, text, length, engines->nowhere))
+    verdict = VERDICT_REFUSED;
+  else if (!interpret(&c, &word) || !survives_printing(&c, &word, engines->nowhere))
+    verdict = VERDICT_DIFFER;
+  else
+    verdict = compare_jit(engines, &c, &word);
+  if (verdict == VERDICT_AGREE && executables && engines->lsysc)
+    verdict = compare_executables(engines, arena, text, length);
+  if (modules) *modules = word.width ? word.sym.count / word.width : 0;
+  free(text);
+  arena_destroy(arena);
+  return verdict;
+}
+
+Verdict engines_compare_apart(const Engines *engines, const FuzzGrammar *grammar, bool executables, bool loud) {
+  enum { SECONDS = 20 };
+  fflush(NULL);
+  pid_t child = fork();
+  if (child == 0) {
+    if (!loud) {
+      int nowhere = open("/dev/null", O_WRONLY);
+      dup2(nowhere, STDERR_FILENO);
+    }
+    alarm(SECONDS);
+    _exit((int)engines_compare(engines, grammar, executables, NULL));
+  }
+  int status;
+  if (child < 0 || waitpid(child, &status, 0) < 0) return VERDICT_CRASH;
+  if (WIFSIGNALED(status)) return WTERMSIG(status) == SIGALRM ? VERDICT_LATE : VERDICT_CRASH;
+  int code = WEXITSTATUS(status);
+  return code < VERDICT_CRASH ? (Verdict)code : VERDICT_CRASH;
+}

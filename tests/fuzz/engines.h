@@ -1,0 +1,36 @@
+// engines.h -- one random grammar through all engines.
+#ifndef LSYSC_FUZZ_ENGINES_H
+#define LSYSC_FUZZ_ENGINES_H
+
+#include "grammar.h"
+
+#include "codegen/backend.h"
+
+typedef enum Verdict {
+  VERDICT_AGREE,
+  VERDICT_REFUSED,      // the checker does not take the grammar
+  VERDICT_UNSUPPORTED,  // the code generator says that it cannot do it
+  VERDICT_DIFFER,
+  VERDICT_CRASH,  // of the process, found by its parent
+  VERDICT_LATE,   // the same: it took too long
+  VERDICTS
+} Verdict;
+
+extern const char *const verdict_names[VERDICTS];
+
+typedef struct Engines {
+  const Backend *backend;
+  const char *lsysc;   // path; NULL: no executables
+  const char *folder;  // where executables are made
+  FILE *nowhere;       // /dev/null
+} Engines;
+
+// Derives by the interpreter and by the JIT, on one and on several threads, and compares modules, argument
+// bits and the word after printing and reading the grammar back; with executables also -O0 and -O2. Prints
+// what differs. modules (may be NULL) gets the length of the word.
+Verdict engines_compare(const Engines *engines, const FuzzGrammar *grammar, bool executables, uint64_t *modules);
+
+// The same in a process of its own, so that a crash is a verdict. Silent unless `loud`.
+Verdict engines_compare_apart(const Engines *engines, const FuzzGrammar *grammar, bool executables, bool loud);
+
+#endif
