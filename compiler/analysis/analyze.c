@@ -280,6 +280,7 @@ void analyze_print(const Program *program, const Facts *facts, FILE *out) {
   fprintf(out, "grammar      %s\n", program->name);
   print_class(program, facts, out);
   print_engine(program, facts, out);
+  if (facts->bracketed && !facts->balanced) fputs("brackets     need not nest: some word opens or closes more\n", out);
   if (!facts->counts_by_kind) {
     fputs("growth       depends on arguments, neighbours, draws or tables: only deriving tells\n", out);
     print_kinds(program, facts, out);

@@ -82,6 +82,7 @@ Facts *facts_find(Arena *arena, const Program *program) {
   find_keys(&analysis);
   find_fixed(&analysis);
   classify(&analysis, sum_productions(&analysis));
+  find_balance(&analysis);
   find_growth(&analysis);
   return facts;
 }

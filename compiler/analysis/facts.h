@@ -20,6 +20,7 @@ typedef struct Facts {
   bool context_free;   // no contexts, pseudo-productions, cut, ring, queries, globals: the expand engine applies
   bool deterministic;  // nothing draws
   bool parametric, bracketed, stochastic, sequential, tables;
+  bool balanced;                             // brackets nest in every word
   bool counts_by_kind;                       // the growth matrix exists: counts depend on kinds alone
   LsysGrowth growth;                         // see abi.h; row == NULL unless counts_by_kind
   size_t longest_successor, most_arguments;  // over productions and decompositions, in modules and doubles

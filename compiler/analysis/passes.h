@@ -29,6 +29,9 @@ void find_reachable(Analysis *analysis);
 void find_keys(Analysis *analysis);
 void find_fixed(Analysis *analysis);
 
+// balance.c: Facts.balanced. Needs the lists and KindFacts.reachable.
+void find_balance(Analysis *analysis);
+
 // matrix.c: Facts.counts_by_kind and .growth. Needs the lists.
 void find_growth(Analysis *analysis);
 

@@ -1,6 +1,8 @@
 // interp.c -- Program -> a grammar whose derive walks the Program.
 // The order of a derivation: globals reset, Start, axiom, then per step
 // StartEach, rewriting, decomposition, EndEach, and End after the last.
+// Repetitions of draws in blocks are counted over one derivation; stop() lets
+// the step in which it was called be finished.
 // Requires: run->grammar is what interp_grammar returned.
 #include "interp/interp.h"
 
@@ -125,7 +127,6 @@ static void derive(LsysRun *run, uint32_t which, uint64_t steps, LsysStream *out
   execute(blocks, &program->start);
   build_axiom(interp, which, &interp->word);
   for (uint64_t left = steps; left > 0 && !blocks->stopped && !interp->scope.stopped; left--) {
-    lsys_charge(run, 0);  // a step is where a run can be interrupted
     execute(blocks, &program->start_each);
     rewrite_word(interp, run->steps - left);
     if (decomposes(program)) decompose_word(interp);

@@ -90,6 +90,19 @@ static void test_cut_is_not_context_free(void **state) {
   grammar_free(&g);
 }
 
+static void test_balanced(void **state) {
+  (void)state;
+  Grammar g = grammar_read("axiom: A[B]\nA -> [A][[B]]\nC -> ]\n");
+  assert_true(g.facts->balanced);  // C is never reached
+  grammar_free(&g);
+  g = grammar_read("axiom: A\nA -> ]A[\n");
+  assert_false(g.facts->balanced);
+  grammar_free(&g);
+  g = grammar_read("axiom: A\nA -> [A\n");
+  assert_false(g.facts->balanced);
+  grammar_free(&g);
+}
+
 static void test_describe(void **state) {
   (void)state;
   Grammar g = grammar_read("param r = 2*3 in 1..9\n#define c 1/4\naxiom: A(c, r)B, A(1, 7)\nA(x,y) -> BBB\nseed: 5\n");
@@ -124,6 +137,7 @@ int main(void) {
     cmocka_unit_test(test_not_fixed),
     cmocka_unit_test(test_context_free),
     cmocka_unit_test(test_cut_is_not_context_free),
+    cmocka_unit_test(test_balanced),
     cmocka_unit_test(test_describe),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
