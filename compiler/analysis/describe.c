@@ -68,6 +68,16 @@ static void describe_axioms(Arena *arena, const Program *program, LsysGrammar *g
   grammar->axiom_count = (uint32_t)program->axiom_count;
 }
 
+static void describe_surfaces(Arena *arena, const Program *program, LsysGrammar *grammar) {
+  LsysSurface *surfaces = arena_array(arena, program->surface_count, sizeof *surfaces);
+  for (size_t i = 0; i < program->surface_count; i++) {
+    surfaces[i] = program->surfaces[i].shape;
+    surfaces[i].name = program->surfaces[i].name;
+  }
+  grammar->surfaces = surfaces;
+  grammar->surface_count = (uint32_t)program->surface_count;
+}
+
 static size_t larger(size_t a, size_t b) {
   return a > b ? a : b;
 }
@@ -150,6 +160,7 @@ LsysGrammar *describe(Arena *arena, const Program *program, const Facts *facts) 
   grammar->kinds = describe_kinds(arena, program, facts);
   describe_params(arena, program, grammar);
   describe_axioms(arena, program, grammar);
+  describe_surfaces(arena, program, grammar);
   grammar->value_count = (uint32_t)program->total_values;
   grammar->seed = program->seed;
   describe_room(program, facts, grammar);

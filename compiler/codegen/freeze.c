@@ -93,6 +93,28 @@ static LLVMValueRef growth(Ir *ir) {
   return LLVMConstNamedStruct(ir->types.growth, fields, 3);
 }
 
+static LLVMValueRef surfaces(Ir *ir) {
+  const LsysGrammar *g = ir->description;
+  LLVMValueRef *rows = arena_array(ir->arena, g->surface_count, sizeof *rows);
+  for (uint32_t i = 0; i < g->surface_count; i++) {
+    const LsysSurface *s = &g->surfaces[i];
+    const size_t point = 3 * sizeof(double), triangle = 3 * sizeof(uint32_t);
+    LLVMValueRef size[3] = {ir_double(ir, s->size[0]), ir_double(ir, s->size[1]), ir_double(ir, s->size[2])};
+    LLVMValueRef fields[] = {text(ir, s->name),
+                             int_of(ir->types.i32, s->form),
+                             int_of(ir->types.i32, s->vertices),
+                             int_of(ir->types.i32, s->triangles),
+                             int_of(ir->types.i32, s->reserved),
+                             LLVMConstArray2(ir->types.f64, size, 3),
+                             bytes(ir, (const uint8_t *)s->vertex, s->vertices * point, "vertex"),
+                             bytes(ir, (const uint8_t *)s->normal, s->vertices * point, "normal"),
+                             bytes(ir, (const uint8_t *)s->corner, s->triangles * triangle, "corner")};
+    rows[i] = LLVMConstStructInContext(ir->context, fields, 9, false);
+  }
+  return g->surface_count ? structs(ir, LLVMTypeOf(rows[0]), rows, g->surface_count, "surfaces")
+                          : LLVMConstNull(ir->types.ptr);
+}
+
 // One field of the descriptor: where it stands in C, and its value.
 typedef struct Field {
   size_t offset;
@@ -148,6 +170,8 @@ void freeze_grammar(Ir *ir, const Entries *entries) {
     FIELD(derive, null),
     FIELD(derive_data, null),
     FIELD(homomorphism, pointer(ir, entries->homomorphism)),
+    FIELD(surface_count, int_of(i32, g->surface_count)),
+    FIELD(surfaces, surfaces(ir)),
   };
   enum { COUNT = sizeof fields / sizeof fields[0] };
   LLVMValueRef values[COUNT];

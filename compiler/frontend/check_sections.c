@@ -1,5 +1,6 @@
 // check_sections.c -- every statement in file order: what it means where it stands.
 #include "frontend/check.h"
+#include "lsys/surface.h"
 
 #include <string.h>
 
@@ -127,9 +128,18 @@ static void read_environment(Check *check, const AstStatement *statement) {
 static const struct {
   const char *name;
   uint32_t arguments;
-} forms[] = {{"disc", 1}, {"sphere", 1}, {"box", 3}};
+  LsysSurfaceForm form;
+} forms[] = {{"disc", 1, LSYS_SURFACE_DISC}, {"sphere", 1, LSYS_SURFACE_SPHERE}, {"box", 3, LSYS_SURFACE_BOX}};
 
 enum { FORMS = sizeof forms / sizeof *forms };
+
+// Sizes are numbers when the grammar is compiled.
+static void read_sizes(Check *check, const AstExpr *value, Surface *surface, uint32_t form) {
+  surface->shape.form = form;
+  for (uint32_t i = 0; i < surface->count && i < 3; i++)
+    if (!expr_constant(check->program, surface->args[i], &surface->shape.size[i]))
+      diag_error(check->diag, value->args.at[i]->span, "the size of a surface must be a constant");
+}
 
 static void read_form(Check *check, const AstExpr *value, Surface *surface) {
   const char *names[FORMS];
@@ -142,6 +152,8 @@ static void read_form(Check *check, const AstExpr *value, Surface *surface) {
     if (surface->count != forms[i].arguments)
       diag_error(check->diag, value->span, "`%s` takes %u argument%s, not %u", names[i], forms[i].arguments,
                  forms[i].arguments == 1 ? "" : "s", surface->count);
+    else
+      read_sizes(check, value, surface, forms[i].form);
     return;
   }
   const char *meant = diag_nearest(value->name, names, FORMS);
@@ -150,6 +162,30 @@ static void read_form(Check *check, const AstExpr *value, Surface *surface) {
   else
     diag_error(check->diag, value->name_span, "unknown form `%s`", value->name);
   diag_hint(check->diag, "a surface is disc(d), sphere(d), box(x,y,z), or the name of an .obj or .s file");
+}
+
+static void *copy(Check *check, const void *from, size_t count, size_t size) {
+  void *to = arena_array(check->arena, count, size);
+  if (from && count) memcpy(to, from, count * size);
+  return to;
+}
+
+// The file is looked for beside the grammar.
+static void read_mesh(Check *check, const AstExpr *value, Surface *surface) {
+  const char *from = check->ast->file->path, *slash = strrchr(from, '/');
+  int folder = slash && *surface->path != '/' ? (int)(slash + 1 - from) : 0;
+  const char *path = arena_printf(check->arena, "%.*s%s", folder, from, surface->path);
+  char why[256];
+  LsysSurface mesh;
+  if (!lsys_surface_read(path, &mesh, why, sizeof why)) {
+    diag_error(check->diag, value->span, "cannot read the surface \"%s\": %s", path, why);
+    return;
+  }
+  surface->shape = mesh;
+  surface->shape.vertex = copy(check, mesh.vertex, mesh.vertices, 3 * sizeof(double));
+  if (mesh.normal) surface->shape.normal = copy(check, mesh.normal, mesh.vertices, 3 * sizeof(double));
+  surface->shape.corner = copy(check, mesh.corner, mesh.triangles, 3 * sizeof(uint32_t));
+  lsys_surface_free(&mesh);
 }
 
 static void read_surface(Check *check, const AstStatement *statement) {
@@ -169,6 +205,7 @@ static void read_surface(Check *check, const AstStatement *statement) {
   else
     diag_error(check->diag, value->span,
                "a surface is disc(d), sphere(d), box(x,y,z), or the name of an .obj or .s file");
+  if (surface->form) read_mesh(check, value, surface);
 }
 
 // ---- all ---------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #define LSYSC_FRONTEND_PROGRAM_H
 
 #include "frontend/ast.h"
+#include "lsys/abi.h"
 #include "lsys/functions.h"
 #include "lsys/settings.h"
 #include "lsys/turtle.h"
@@ -209,6 +210,7 @@ typedef struct Surface {
   const char *path;  // of a file, as written
   Expr **args;
   uint32_t count;
+  LsysSurface shape;  // what the turtle draws: sizes, or the mesh of the file
   Span span;
 } Surface;
 

@@ -5,6 +5,7 @@
 #include "sinks/picture.h"
 
 #include "core/message.h"
+#include "sinks/digits.h"
 #include "sinks/layout.h"
 #include "sinks/view.h"
 #include "turtle/turtle.h"
@@ -133,7 +134,72 @@ static bool polygon(LsysGeometry *geometry, const LsysVec3 *vertices, size_t cou
     return p->measure.geometry.polygon(&p->measure.geometry, p->corner, count, pen);
   }
   for (size_t i = 0; i < count; i++) p->place[i] = on_page(p, vertices[i]);
-  return p->canvas->fill(p->canvas, p->place, count, lsys_palette(pen->colour, p->solid));
+  return p->canvas->fill(p->canvas, p->place, NULL, count, lsys_palette(pen->colour, p->solid));
+}
+
+static bool mesh(LsysGeometry *geometry, const LsysMesh *mesh, const LsysPlace *place, const LsysPen *pen) {
+  Picture *p = picture_of(geometry);
+  LsysVec3 axis[3] = {place->right, place->ahead, place->up};
+  for (int i = 0; i < 3; i++) {  // normals turn by the inverse of the axes, transposed
+    double squared = vec_dot(axis[i], axis[i]);
+    axis[i] = view_turn(&p->view, squared > 0 ? vec_scale(axis[i], 1 / squared) : axis[i]);
+  }
+  for (uint32_t i = 0; i < mesh->triangles; i++) {
+    LsysVec3 corner[3], normal[3] = {0};
+    LsysPoint at[3];
+    for (int k = 0; k < 3; k++) {
+      uint32_t which = mesh->corner[3 * i + (uint32_t)k];
+      corner[k] = lsys_mesh_vertex(mesh, place, which);
+      at[k] = on_page(p, corner[k]);
+      if (!mesh->normal) continue;
+      LsysVec3 n = mesh->normal[which];
+      normal[k] = vec_sum(vec_sum(axis[0], n.x, axis[1], n.y), 1, axis[2], n.z);
+    }
+    if (!drawing(p)) {
+      for (int k = 0; k < 3; k++) corner[k] = seen(p, corner[k]);
+      p->measure.geometry.polygon(&p->measure.geometry, corner, 3, pen);
+    } else if (!p->canvas->fill(p->canvas, at, mesh->normal ? normal : NULL, 3, lsys_palette(pen->colour, p->solid))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool draw_disc(Picture *p, LsysPoint centre, double radius, uint32_t rgb) {
+  enum { CORNERS = 48 };
+  LsysPoint point[CORNERS];
+  for (int i = 0; i < CORNERS; i++) {
+    double angle = i * 360.0 / CORNERS;
+    point[i] = (LsysPoint){centre.x + radius * lsys_cos(angle), centre.y + radius * lsys_sin(angle), centre.z};
+  }
+  return p->canvas->fill(p->canvas, point, NULL, CORNERS, rgb);
+}
+
+// A ball is a line of no length.
+static bool ball(LsysGeometry *geometry, const LsysVec3 *centre, double diameter, bool disc, const LsysPen *pen) {
+  Picture *p = picture_of(geometry);
+  LsysVec3 turned = p->solid ? view_turn(&p->view, *centre) : *centre;
+  if (p->pass) diameter *= eye_factor(&p->eye[p->current], &turned);
+  if (!drawing(p)) {
+    LsysVec3 middle = seen(p, *centre);
+    return p->measure.geometry.ball(&p->measure.geometry, &middle, diameter, disc, pen);
+  }
+  LsysPoint at[2] = {on_page(p, *centre), on_page(p, *centre)};
+  LsysInk ink = {diameter * p->layout.scale, lsys_palette(pen->colour, p->solid)};
+  if (disc && p->solid) return draw_disc(p, at[0], ink.width / 2, ink.rgb);
+  return p->canvas->line(p->canvas, at, 2, &ink, false);
+}
+
+static bool label(LsysGeometry *geometry, const LsysVec3 *at, const char *text, const LsysPen *pen) {
+  Picture *p = picture_of(geometry);
+  if (!drawing(p)) {
+    LsysVec3 place = seen(p, *at);
+    return p->measure.geometry.label(&p->measure.geometry, &place, text, pen);
+  }
+  double longest = fmax(p->page.width, p->page.height);
+  LsysPoint place = on_page(p, *at);
+  place.z += 2 * longest;  // before everything
+  return lsys_digits(p->canvas, text, place, 0.014 * longest, lsys_palette(pen->colour, p->solid));
 }
 
 // ---- passes --------------------------------------------------------------
@@ -219,7 +285,7 @@ LsysSink *lsys_picture_create(LsysCanvas *canvas, const LsysPictureOptions *opti
     return NULL;
   }
   p->sink = (LsysSink){options->perspective ? 3 : 2, begin, take, end, finish, destroy};
-  p->geometry = (LsysGeometry){strokes, polygon};
+  p->geometry = (LsysGeometry){strokes, polygon, mesh, ball, label};
   p->options = *options;
   p->canvas = canvas;
   return &p->sink;

@@ -5,6 +5,7 @@
 #define LSYS_SINKS_PICTURE_H
 
 #include "sinks/sink.h"
+#include "turtle/geometry.h"
 
 #include <stddef.h>
 
@@ -47,8 +48,8 @@ struct LsysCanvas {
   bool (*open)(LsysCanvas *canvas, const LsysPage *page);
   // count >= 2 connected points. joined: they go on from the last point of the line before.
   bool (*line)(LsysCanvas *canvas, const LsysPoint *point, size_t count, const LsysInk *ink, bool joined);
-  // A filled polygon, non-zero winding.
-  bool (*fill)(LsysCanvas *canvas, const LsysPoint *point, size_t count, uint32_t rgb);
+  // A filled polygon, non-zero winding. normal: one a point for smooth light, y up and z towards the viewer, or NULL.
+  bool (*fill)(LsysCanvas *canvas, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb);
   bool (*close)(LsysCanvas *canvas);
   void (*destroy)(LsysCanvas *canvas);
 };

@@ -28,9 +28,9 @@ static bool line(LsysCanvas *canvas, const LsysPoint *point, size_t count, const
   return true;
 }
 
-static bool fill(LsysCanvas *canvas, const LsysPoint *point, size_t count, uint32_t rgb) {
+static bool fill(LsysCanvas *canvas, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb) {
   LsysRaster *raster = ((Png *)canvas)->raster;
-  return raster->fill(raster, point, count, rgb);
+  return raster->fill(raster, point, normal, count, rgb);
 }
 
 // ---- the file ------------------------------------------------------------

@@ -218,7 +218,8 @@ static size_t drop_passed(Raster *r, size_t active, double y) {
   return kept;
 }
 
-static bool fill(LsysRaster *raster, const LsysPoint *point, size_t count, uint32_t rgb) {
+static bool fill(LsysRaster *raster, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb) {
+  (void)normal;
   Raster *r = (Raster *)raster;
   if (count > r->edge_room) {
     free(r->edge);

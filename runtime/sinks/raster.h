@@ -9,8 +9,8 @@ typedef struct LsysRaster LsysRaster;
 struct LsysRaster {
   // Segments between count points with round ends and joints.
   void (*line)(LsysRaster *raster, const LsysPoint *point, size_t count, const LsysInk *ink);
-  // A polygon. False if memory ran out (printed).
-  bool (*fill)(LsysRaster *raster, const LsysPoint *point, size_t count, uint32_t rgb);
+  // A polygon, lit by the normals of its points or its own. False if memory ran out (printed).
+  bool (*fill)(LsysRaster *raster, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb);
   // One finished row: width pixels of R, G, B, A.
   void (*row)(const LsysRaster *raster, uint32_t y, uint8_t *rgba);
   void (*destroy)(LsysRaster *raster);

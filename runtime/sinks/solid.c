@@ -35,10 +35,6 @@ static int sample_from(double x, int high) {
   return clamp(ceil(x - 0.5), high);
 }
 
-static inline void put(Sample *s, float depth, uint32_t rgb) {
-  if (depth > s->depth) *s = (Sample){depth, rgb};
-}
-
 // ---- cylinders -----------------------------------------------------------
 
 // A cylinder with round ends, in samples. Across it the normal goes from -side over front to side.
@@ -138,7 +134,22 @@ static double edge(const LsysVec3 *a, const LsysVec3 *b, double x, double y) {
   return (b->x - a->x) * (y - a->y) - (b->y - a->y) * (x - a->x);
 }
 
-static void draw_triangle(Solid *s, const LsysVec3 *a, const LsysVec3 *b, const LsysVec3 *c, uint32_t rgb) {
+// A triangle of a polygon; colour is its light, or normal those of its corners.
+typedef struct Triangle {
+  const LsysVec3 *a, *b, *c;
+  const LsysVec3 *na, *nb, *nc;  // NULL: colour counts
+  uint32_t rgb, colour;
+} Triangle;
+
+static uint32_t colour_at(const Triangle *t, double wa, double wb, double wc) {
+  if (!t->na) return t->colour;
+  LsysVec3 n = vec_sum(vec_sum(*t->na, wa, *t->nb, wb), 1, *t->nc, wc);
+  double length = vec_length(n);
+  return length > 0 ? lit_surface(t->rgb, vec_scale(n, 1 / length)) : t->colour;
+}
+
+static void draw_triangle(Solid *s, const Triangle *t) {
+  const LsysVec3 *a = t->a, *b = t->b, *c = t->c;
   double area = edge(a, b, c->x, c->y);
   if (area == 0) return;
   int top = sample_from(fmin(a->y, fmin(b->y, c->y)), s->height);
@@ -151,7 +162,8 @@ static void draw_triangle(Solid *s, const LsysVec3 *a, const LsysVec3 *b, const 
       double px = x + 0.5, py = y + 0.5;
       double wa = edge(b, c, px, py) / area, wb = edge(c, a, px, py) / area, wc = edge(a, b, px, py) / area;
       if (wa < 0 || wb < 0 || wc < 0) continue;
-      put(&row[x], (float)(wa * a->z + wb * b->z + wc * c->z), rgb);
+      float depth = (float)(wa * a->z + wb * b->z + wc * c->z);
+      if (depth > row[x].depth) row[x] = (Sample){depth, colour_at(t, wa, wb, wc)};
     }
   }
 }
@@ -169,7 +181,7 @@ static bool make_room(Solid *s, size_t count) {
   return s->corner_room;
 }
 
-static bool fill(LsysRaster *raster, const LsysPoint *point, size_t count, uint32_t rgb) {
+static bool fill(LsysRaster *raster, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb) {
   Solid *s = (Solid *)raster;
   if (count < 3) return true;
   if (!make_room(s, count)) return false;
@@ -184,7 +196,13 @@ static bool fill(LsysRaster *raster, const LsysPoint *point, size_t count, uint3
   polygon_triangles(s->corner, (uint32_t)count, s->triangle, s->work);
   for (size_t i = 0; i + 2 < count; i++) {
     const uint32_t *t = s->triangle + 3 * i;
-    draw_triangle(s, &s->corner[t[0]], &s->corner[t[1]], &s->corner[t[2]], colour);
+    Triangle part = {&s->corner[t[0]], &s->corner[t[1]], &s->corner[t[2]], NULL, NULL, NULL, rgb, colour};
+    if (normal) {
+      part.na = &normal[t[0]];
+      part.nb = &normal[t[1]];
+      part.nc = &normal[t[2]];
+    }
+    draw_triangle(s, &part);
   }
   return true;
 }

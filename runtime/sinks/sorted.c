@@ -78,18 +78,23 @@ static bool line(LsysCanvas *canvas, const LsysPoint *point, size_t count, const
   return true;
 }
 
-static bool fill(LsysCanvas *canvas, const LsysPoint *point, size_t count, uint32_t rgb) {
-  Sorted *s = (Sorted *)canvas;
-  if (!s->solid) return s->inner->fill(s->inner, point, count, rgb);
-  LsysVec3 normal = {0};
-  for (size_t i = 0; i < count; i++) {  // Newell's, with y up
+// A polygon has one light: that of its mean normal, or of its plane (Newell's, with y up).
+static LsysVec3 mean_normal(const LsysPoint *point, const LsysVec3 *normal, size_t count) {
+  LsysVec3 sum = {0};
+  for (size_t i = 0; i < count; i++) {
     const LsysPoint *a = &point[i], *b = &point[i + 1 < count ? i + 1 : 0];
-    normal.x -= (a->y - b->y) * (a->z + b->z);
-    normal.y += (a->z - b->z) * (a->x + b->x);
-    normal.z -= (a->x - b->x) * (a->y + b->y);
+    LsysVec3 edge = {-(a->y - b->y) * (a->z + b->z), (a->z - b->z) * (a->x + b->x), -(a->x - b->x) * (a->y + b->y)};
+    sum = vec_sum(sum, 1, normal ? normal[i] : edge, 1);
   }
-  double length = vec_length(normal);
-  if (length > 0) rgb = lit_surface(rgb, vec_scale(normal, 1 / length));
+  return sum;
+}
+
+static bool fill(LsysCanvas *canvas, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb) {
+  Sorted *s = (Sorted *)canvas;
+  if (!s->solid) return s->inner->fill(s->inner, point, normal, count, rgb);
+  LsysVec3 mean = mean_normal(point, normal, count);
+  double length = vec_length(mean);
+  if (length > 0) rgb = lit_surface(rgb, vec_scale(mean, 1 / length));
   return keep(s, point, count, 0, rgb);
 }
 
@@ -108,7 +113,7 @@ static bool close_page(LsysCanvas *canvas) {
     LsysInk ink = {(double)item->width, item->rgb};
     const LsysPoint *point = s->point + item->first;
     bool well = item->width > 0 ? s->inner->line(s->inner, point, item->count, &ink, false)
-                                : s->inner->fill(s->inner, point, item->count, item->rgb);
+                                : s->inner->fill(s->inner, point, NULL, item->count, item->rgb);
     if (!well) return false;
   }
   return s->inner->close(s->inner);

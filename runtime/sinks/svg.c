@@ -143,7 +143,8 @@ static bool line(LsysCanvas *canvas, const LsysPoint *point, size_t count, const
   return true;
 }
 
-static bool fill(LsysCanvas *canvas, const LsysPoint *point, size_t count, uint32_t rgb) {
+static bool fill(LsysCanvas *canvas, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb) {
+  (void)normal;
   Svg *s = (Svg *)canvas;
   if (!end_group(s)) return false;
   lsys_out_print(s->out, "<path fill=\"#%06x\" d=\"M", rgb);

@@ -37,6 +37,21 @@ typedef struct LsysStrokes {
   size_t count;  // of strokes
 } LsysStrokes;
 
+// A surface of triangles. corner holds three vertex numbers a triangle, counter-clockwise as
+// seen from where the normals point.
+typedef struct LsysMesh {
+  const LsysVec3 *vertex;
+  const LsysVec3 *normal;  // unit, one a vertex; NULL: the triangles are flat
+  const uint32_t *corner;
+  uint32_t vertices, triangles;
+  uint32_t surface;  // 1 + its place among the grammar's surfaces: drawn again and again; 0: drawn once
+} LsysMesh;
+
+// Where a mesh is put: its point (x,y,z) is at origin + x right + y ahead + z up.
+typedef struct LsysPlace {
+  LsysVec3 origin, right, ahead, up;  // the last three orthogonal
+} LsysPlace;
+
 typedef struct LsysGeometry LsysGeometry;
 
 // Every function may be NULL: the format does not show that primitive.
@@ -44,6 +59,10 @@ typedef struct LsysGeometry LsysGeometry;
 struct LsysGeometry {
   bool (*strokes)(LsysGeometry *to, const LsysStrokes *batch);
   bool (*polygon)(LsysGeometry *to, const LsysVec3 *vertices, size_t count, const LsysPen *pen);
+  bool (*mesh)(LsysGeometry *to, const LsysMesh *mesh, const LsysPlace *place, const LsysPen *pen);
+  // A sphere, or a disc that faces the viewer; the diameter is a length, not a width.
+  bool (*ball)(LsysGeometry *to, const LsysVec3 *centre, double diameter, bool disc, const LsysPen *pen);
+  bool (*label)(LsysGeometry *to, const LsysVec3 *at, const char *text, const LsysPen *pen);
 };
 
 #endif

@@ -62,8 +62,37 @@ static bool polygon(LsysGeometry *to, const LsysVec3 *vertices, size_t count, co
   return true;
 }
 
+static bool mesh(LsysGeometry *to, const LsysMesh *mesh, const LsysPlace *place, const LsysPen *pen) {
+  LsysMeasure *m = (LsysMeasure *)to;
+  (void)pen;
+  m->meshes++;
+  for (uint32_t i = 0; i < mesh->vertices; i++) {
+    LsysVec3 p = lsys_mesh_vertex(mesh, place, i);
+    add_points(m, &p, 1);
+  }
+  return true;
+}
+
+static bool ball(LsysGeometry *to, const LsysVec3 *centre, double diameter, bool disc, const LsysPen *pen) {
+  LsysMeasure *m = (LsysMeasure *)to;
+  (void)pen;
+  m->balls++;
+  double r = diameter / 2, deep = disc ? 0 : r;
+  LsysVec3 corner[2] = {{centre->x - r, centre->y - r, centre->z - deep},
+                        {centre->x + r, centre->y + r, centre->z + deep}};
+  add_points(m, corner, 2);
+  return true;
+}
+
+static bool label(LsysGeometry *to, const LsysVec3 *at, const char *text, const LsysPen *pen) {
+  (void)text;
+  (void)pen;
+  add_points((LsysMeasure *)to, at, 1);
+  return true;
+}
+
 void lsys_measure_begin(LsysMeasure *m, bool wants_length) {
-  *m = (LsysMeasure){.geometry = {strokes, polygon},
+  *m = (LsysMeasure){.geometry = {strokes, polygon, mesh, ball, label},
                      .wants_length = wants_length,
                      .low = {INFINITY, INFINITY, INFINITY},
                      .high = {-INFINITY, -INFINITY, -INFINITY},
@@ -71,7 +100,7 @@ void lsys_measure_begin(LsysMeasure *m, bool wants_length) {
 }
 
 bool lsys_measure_any(const LsysMeasure *m) {
-  return m->segments || m->polygons;
+  return m->low.x <= m->high.x || isnan(m->low.x);
 }
 
 bool lsys_measure_finite(const LsysMeasure *m) {

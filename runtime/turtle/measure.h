@@ -8,14 +8,22 @@
 typedef struct LsysMeasure {
   LsysGeometry geometry;  // what the turtle draws to
   bool wants_length;      // false: `length` stays 0 (it takes a square root a segment)
-  uint64_t segments, polygons;
-  uint64_t of_colour[256];  // segments of each colour
-  double length;            // of all segments
-  LsysVec3 low, high;  // bounding box of segments and polygons, without their widths; low > high if nothing was drawn
+  uint64_t segments, polygons, meshes, balls;
+  uint64_t of_colour[256];    // segments of each colour
+  double length;              // of all segments
+  LsysVec3 low, high;         // bounding box, without the widths of lines; low > high if nothing was drawn
   double thinnest, thickest;  // widths of segments; infinite and 0 if there are none
 } LsysMeasure;
 
 void lsys_measure_begin(LsysMeasure *m, bool wants_length);
+
+// The vertices of a placed mesh, one after another.
+static inline LsysVec3 lsys_mesh_vertex(const LsysMesh *mesh, const LsysPlace *p, uint32_t i) {
+  LsysVec3 v = mesh->vertex[i];
+  return (LsysVec3){p->origin.x + v.x * p->right.x + v.y * p->ahead.x + v.z * p->up.x,
+                    p->origin.y + v.x * p->right.y + v.y * p->ahead.y + v.z * p->up.y,
+                    p->origin.z + v.x * p->right.z + v.y * p->ahead.z + v.z * p->up.z};
+}
 
 // True if something was drawn. Coordinates may still be infinite or nan: see lsys_measure_finite.
 bool lsys_measure_any(const LsysMeasure *m);

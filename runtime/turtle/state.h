@@ -44,10 +44,13 @@ typedef struct PlainKind {
 } PlainKind;
 
 typedef struct KindInfo {
-  uint8_t op;      // LsysTurtleOp
-  uint8_t arity;   // saturates at 255
-  uint16_t width;  // arity, exact
+  uint8_t op;        // LsysTurtleOp
+  uint8_t arity;     // saturates at 255
+  uint16_t width;    // arity, exact
+  uint32_t surface;  // the grammar's surface of this name, or NO_SURFACE
 } KindInfo;
+
+enum { NO_SURFACE = UINT16_MAX };
 
 struct LsysTurtle {
   const LsysRun *run;
@@ -99,7 +102,7 @@ void turtle_draw_to(LsysTurtle *t);     // the turtle went to state.at with the 
 LsysVec3 turtle_out(const LsysTurtle *t, LsysVec3 p);
 
 // act.c: what one module does. False to stop.
-bool turtle_act(LsysTurtle *t, const KindInfo *kind, const double *arg);
+bool turtle_act(LsysTurtle *t, uint32_t kind, const double *arg);
 bool turtle_push(LsysTurtle *t);
 bool turtle_pop(LsysTurtle *t);
 

@@ -1,6 +1,6 @@
 // strokes.c -- collects what the turtle draws into batches of strokes and hands
 // them on in the page's coordinates.
-#include "turtle/state.h"
+#include "turtle/actions.h"
 
 LsysVec3 turtle_out(const LsysTurtle *t, LsysVec3 p) {
   if (t->directions.lattice == LATTICE_NONE) return p;
@@ -16,7 +16,7 @@ static LsysVec3 place(const LsysTurtle *t) {
 static void end_stroke(LsysTurtle *t, bool joined) {
   uint32_t count = t->points - t->open;
   if (count >= 2) {
-    LsysPen pen = {t->state.width, t->state.colour, t->depth > UINT32_MAX ? UINT32_MAX : (uint32_t)t->depth};
+    LsysPen pen = turtle_pen(t);
     t->stroke[t->strokes++] = (LsysStroke){t->open, count, pen, t->joined};
     t->open = t->points++;
     t->joined = joined;

@@ -50,6 +50,9 @@ typedef struct Abilities {
 
 static Abilities abilities(const LsysGrammar *g) {
   Abilities can = {0};
+  for (uint32_t i = 0; i < g->surface_count; i++) {
+    can.leaves_page |= g->surfaces[i].form == LSYS_SURFACE_BOX || g->surfaces[i].form == LSYS_SURFACE_MESH;
+  }
   for (uint32_t i = 0; i < g->kind_count; i++) {
     bool given = g->kinds[i].arity > 0;
     switch ((LsysTurtleOp)g->kinds[i].turtle) {
@@ -68,6 +71,9 @@ static Abilities abilities(const LsysGrammar *g) {
     case LSYS_TURTLE_UP:
     case LSYS_TURTLE_ROLL_LEFT:
     case LSYS_TURTLE_ROLL_RIGHT:
+    case LSYS_TURTLE_BOX:
+    case LSYS_TURTLE_VERTICAL:
+    case LSYS_TURTLE_VERTICAL_AT:
       can.leaves_page = true;
       break;
     case LSYS_TURTLE_STEP_SCALE:
@@ -112,15 +118,20 @@ static double setting(const LsysRun *run, LsysSetting which) {
   return run->value[which] = lsys_settings[which].value;
 }
 
+static uint32_t surface_of(const LsysGrammar *g, const char *symbol) {
+  for (uint32_t i = 0; i < g->surface_count && i < NO_SURFACE; i++) {
+    if (strcmp(g->surfaces[i].name, symbol) == 0) return i;
+  }
+  return NO_SURFACE;
+}
+
 static void set_kind(LsysTurtle *t, uint32_t i, const LsysKind *kind) {
-  t->kind[i] = (KindInfo){kind->turtle, (uint8_t)(kind->arity > 255 ? 255 : kind->arity), kind->arity};
+  uint32_t surface = surface_of(t->run->grammar, kind->symbol);
+  t->kind[i] = (KindInfo){kind->turtle, (uint8_t)(kind->arity > 255 ? 255 : kind->arity), kind->arity, surface};
   PlainKind *p = &t->plain_kind[i];
   *p = (PlainKind){.act = PLAIN_OTHER};
   const uint32_t n = t->directions.count, angle = t->directions.angle, back = (n - angle) % n;
-  if (kind->arity) {
-    if (kind->turtle == LSYS_TURTLE_NONE) p->act = PLAIN_OTHER;  // its arguments must be skipped
-    return;
-  }
+  if (kind->arity) return;  // its arguments must be read, or skipped
   switch ((LsysTurtleOp)kind->turtle) {
   case LSYS_TURTLE_NONE:
     p->act = PLAIN_GO;
@@ -264,9 +275,9 @@ bool lsys_turtle_take(LsysTurtle *t, const LsysWord *part) {
       i += plain;
       if (plain) continue;
     }
-    const KindInfo *kind = &t->kind[symbol(t, part->sym, i)];
+    uint32_t kind = symbol(t, part->sym, i);
     if (!turtle_act(t, kind, arg)) return false;
-    arg += kind->width;
+    arg += t->kind[kind].width;
     i++;
   }
   t->read = start + part->nsym;

@@ -230,6 +230,47 @@ static void scales_and_second_directions(void **state) {
   assert_at(draw_text("|(90)F@x|(90)F", 90, &m), -1, -1, 0);
 }
 
+// Discs, spheres and boxes; in space a disc lies in the plane of H and L.
+static void draws_shapes(void **state) {
+  (void)state;
+  LsysMeasure m;
+  draw_text("F@c(4)", 90, &m);
+  assert_int_equal(m.balls, 1);
+  assert_at(m.low, -2, -1, 0);
+  assert_at(m.high, 2, 3, 0);
+  draw_text("&(90)@c(4)", 90, &m);
+  assert_int_equal(m.polygons, 1);
+  assert_at(m.high, 2, 0, 2);
+  draw_text("@O(2)@o(nan)@O(-1)@O(0)", 90, &m);
+  assert_int_equal(m.balls, 1);
+  draw_text("@B(3,2,1)", 90, &m);
+  assert_int_equal(m.polygons, 6);
+  assert_at(m.low, -1, 0, -0.5);
+  assert_at(m.high, 1, 3, 0.5);
+  draw_text("!(5)@O", 90, &m);
+  assert_at(m.high, 2.5, 2.5, 2.5);
+}
+
+// ~X draws X where the turtle stands, scaled by its argument, whatever the turtle would make of the symbol.
+static void draws_surfaces(void **state) {
+  (void)state;
+  static const double vertex[] = {0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3};
+  static const uint32_t corner[] = {0, 1, 2, 0, 2, 3};
+  const LsysSurface surfaces[] = {
+    {.name = "F", .form = LSYS_SURFACE_MESH, .vertices = 4, .triangles = 2, .vertex = vertex, .corner = corner},
+    {.name = "D", .form = LSYS_SURFACE_SPHERE, .size = {2}}};
+  LsysMeasure m;
+  Sample *s = sample("F~F(2)~D~X~D(3)", 90);
+  s->grammar.surfaces = surfaces;
+  s->grammar.surface_count = 2;
+  assert_at(draw(s, &m, UINT64_MAX), 0, 1, 0);
+  assert_int_equal(m.meshes, 1);
+  assert_int_equal(m.balls, 2);
+  assert_at(m.low, -3, -2, -3);
+  assert_at(m.high, 3, 5, 6);
+  sample_release(s);
+}
+
 // Symbols that set the turtle's state outright.
 static void set_the_state(void **state) {
   (void)state;
@@ -273,6 +314,8 @@ int main(void) {
     cmocka_unit_test(moves_without_drawing),
     cmocka_unit_test(scales_and_second_directions),
     cmocka_unit_test(polygons),
+    cmocka_unit_test(draws_shapes),
+    cmocka_unit_test(draws_surfaces),
     cmocka_unit_test(set_the_state),
     cmocka_unit_test(bends_towards_the_tropism),
     cmocka_unit_test(odd_words_have_a_result),

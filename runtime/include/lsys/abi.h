@@ -111,6 +111,25 @@ enum {
   LSYS_GRAMMAR_ORDERED = 512,      // pseudo-productions or a cut: a step goes through the word from its beginning
 };
 
+// What `~NAME` draws. Meshes are read when the grammar is compiled.
+typedef enum LsysSurfaceForm {
+  LSYS_SURFACE_DISC,
+  LSYS_SURFACE_SPHERE,
+  LSYS_SURFACE_BOX,
+  LSYS_SURFACE_MESH
+} LsysSurfaceForm;
+
+typedef struct LsysSurface {
+  const char *name;  // the symbol of the module behind `~`
+  uint32_t form;     // LsysSurfaceForm
+  uint32_t vertices, triangles;
+  uint32_t reserved;       // 0
+  double size[3];          // diameter; sides
+  const double *vertex;    // MESH: x, y, z of each: y goes ahead, z up
+  const double *normal;    // likewise, or NULL
+  const uint32_t *corner;  // three vertices a triangle
+} LsysSurface;
+
 struct LsysGrammar {
   uint32_t abi_version;
   uint32_t flags;
@@ -154,6 +173,9 @@ struct LsysGrammar {
   // Writes what the homomorphism makes of the modules of `in`, in order and without keys, for sinks; `in` has its keys
   // and is a part of a word, or a whole one if LSYS_GRAMMAR_WHOLE. NULL: a word is shown as it is.
   void (*homomorphism)(LsysRun *run, const LsysWord *in, LsysStream *out);
+
+  uint32_t surface_count;
+  const LsysSurface *surfaces;
 };
 
 // ---- what compiled code calls ----------------------------------------------

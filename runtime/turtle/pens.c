@@ -1,0 +1,65 @@
+// pens.c -- what changes the width and colour of lines.
+// Sources: ABOP p. 26, 57; cpfg's manual; Fractint's commands c, < and >.
+#include "turtle/actions.h"
+
+static const double THINNER = 0.70710678118654752440;  // `!`: two equal branches have their parent's cross-section
+
+LsysPen turtle_pen(const LsysTurtle *t) {
+  uint32_t depth = t->depth > UINT32_MAX ? UINT32_MAX : (uint32_t)t->depth;
+  return (LsysPen){t->state.width, t->state.colour, depth};
+}
+
+double turtle_width(const LsysTurtle *t, double width) {
+  return width > 0 ? width * t->state.size : 0;
+}
+
+static void set_width(LsysTurtle *t, double width) {
+  turtle_change_pen(t);
+  t->state.width = width;
+}
+
+// Colour indices go round: 256 is 0.
+static void set_colour(LsysTurtle *t, double index) {
+  turtle_change_pen(t);
+  double colour = fmod(trunc(index), 256);
+  t->state.colour = (uint8_t)(colour < 0 ? colour + 256 : colour);
+}
+
+// Fractint's relative colours: modulo the number of colours, and instead of 0 the one beyond.
+static void add_colour(LsysTurtle *t, int sign, int arity, const double *arg) {
+  double colours = arity > 1 ? fmin(fmax(trunc(arg[1]), 2), 256) : 256;
+  double index = fmod(t->state.colour + sign * (arity ? trunc(arg[0]) : 0), colours);
+  if (index < 0) index += colours;
+  if (index == 0) index = sign > 0 ? 1 : colours - 1;
+  set_colour(t, index);
+}
+
+bool act_width(LsysTurtle *t, int given, const double *arg) {
+  set_width(t, given ? turtle_width(t, arg[0]) : t->state.width * THINNER);
+  return true;
+}
+
+bool act_width_up(LsysTurtle *t, int given, const double *arg) {
+  set_width(t, given ? turtle_width(t, arg[0]) : t->state.width / THINNER);
+  return true;
+}
+
+bool act_colour_up(LsysTurtle *t, int given, const double *arg) {
+  set_colour(t, given ? arg[0] : t->state.colour + 1.0);
+  return true;
+}
+
+bool act_colour_down(LsysTurtle *t, int given, const double *arg) {
+  set_colour(t, given ? arg[0] : t->state.colour - 1.0);
+  return true;
+}
+
+bool act_colour_add(LsysTurtle *t, int given, const double *arg) {
+  add_colour(t, 1, given, arg);
+  return true;
+}
+
+bool act_colour_subtract(LsysTurtle *t, int given, const double *arg) {
+  add_colour(t, -1, given, arg);
+  return true;
+}
