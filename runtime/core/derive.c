@@ -3,21 +3,17 @@
 #include "core/derive.h"
 
 #include "core/message.h"
+#include "core/parallel.h"
 #include "core/step.h"
 #include "core/stream.h"
+#include "core/thread.h"
 
-#include <errno.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
+#include <unistd.h>
 
-enum {
-  GUARD_BYTES = 1 << 16,    // below the stack: touching it ends the program, not its data
-  RESERVE_BYTES = 1 << 18,  // for the sinks, which run on the same stack
-  LEAST_STACK = 1 << 23,    // virtual; the interpreter is not told how deep it goes
-};
+enum { MOST_THREADS = 1024 };
 
 // ---- values ------------------------------------------------------------------
 
@@ -119,6 +115,17 @@ static bool choose_axioms(LsysDerivation *derivation, const LsysOptions *options
   return true;
 }
 
+static bool choose_threads(LsysDerivation *derivation, const LsysOptions *options) {
+  const LsysOptionValue *given = &options->at[LSYS_OPTION_THREADS];
+  long cores = sysconf(_SC_NPROCESSORS_ONLN);
+  derivation->threads = cores < 1 ? 1 : cores > MOST_THREADS ? MOST_THREADS : (unsigned)cores;
+  if (!given->given) return true;
+  derivation->threads = (unsigned)given->whole;
+  if (given->whole >= 1 && given->whole <= MOST_THREADS) return true;
+  lsys_error("--threads %s: it is a number from 1 to %d", given->text, MOST_THREADS);
+  return false;
+}
+
 bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar, const LsysOptions *options,
                           LsysMemory *memory) {
   const LsysOptionValue *seed = &options->at[LSYS_OPTION_SEED];
@@ -126,7 +133,7 @@ bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar
   LsysRun *run = &derivation->worker.run;
   run->root = lsys_root(seed->given ? seed->whole : grammar->seed);
   return initialise_values(&derivation->worker, options) && choose_steps(run, options)
-      && choose_axioms(derivation, options);
+      && choose_axioms(derivation, options) && choose_threads(derivation, options);
 }
 
 void lsys_derivation_close(LsysDerivation *derivation) {
@@ -194,6 +201,7 @@ typedef struct Task {
   LsysWriter writer;
   LsysWord word;  // the start word, packed
   LsysStepper stepper;
+  LsysParallel *parallel;
   bool well;
 } Task;
 
@@ -208,6 +216,9 @@ static bool derive(Task *task) {
     if (!grammar->expand) return lsys_stepper_run(&task->stepper, task->worker, &task->word, task->sink);
   }
   if (!task->derivation->blocks && !(task->derivation->blocks = lsys_blocks_build(task->worker))) return false;
+  unsigned threads = task->derivation->threads;
+  if (!grammar->derive && threads > 1)
+    return lsys_parallel_run(&task->parallel, task->worker, &task->word, task->sink, threads);
   if (!lsys_writer_open(&task->writer, task->worker, task->sink)) return false;
   if (grammar->derive)
     grammar->derive(run, task->axiom, run->steps, out, grammar->derive_data);
@@ -225,47 +236,14 @@ static void *work(void *data) {
   return NULL;
 }
 
-// Virtual size: a frame for each step, no more than half of the allowed memory.
-static size_t stack_size(const LsysWorker *worker) {
-  uint64_t size, steps = worker->run.steps > UINT64_MAX - 64 ? UINT64_MAX : worker->run.steps + 64;
-  if (__builtin_mul_overflow(steps, (uint64_t)worker->run.grammar->frame_bytes, &size)) size = UINT64_MAX;
-  if (size > worker->memory->limit / 2) size = worker->memory->limit / 2;
-  if (size < LEAST_STACK) size = LEAST_STACK;
-  return (size_t)(size & ~UINT64_C(0xffff)) + GUARD_BYTES + RESERVE_BYTES;
-}
-
-// Runs the task on a new thread with a big stack, whose pages cost memory only when the recursion reaches them.
-static bool run_on_stack(Task *task) {
-  size_t size = stack_size(task->worker);
-  char *stack =
-    mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK, -1, 0);
-  if (stack == MAP_FAILED) {
-    lsys_error("no room for a stack of %zu bytes: %s", size, strerror(errno));
-    return false;
-  }
-  mprotect(stack, GUARD_BYTES, PROT_NONE);
-  LsysWorker *worker = task->worker;
-  worker->stack_limit = (uintptr_t)stack + GUARD_BYTES + RESERVE_BYTES;
-  worker->stack_bytes = size - GUARD_BYTES - RESERVE_BYTES;
-  pthread_t thread;
-  pthread_attr_t attributes;
-  pthread_attr_init(&attributes);
-  pthread_attr_setstack(&attributes, stack + GUARD_BYTES, size - GUARD_BYTES);
-  int error = pthread_create(&thread, &attributes, work, task);
-  pthread_attr_destroy(&attributes);
-  if (error)
-    lsys_error("cannot start a thread: %s", strerror(error));
-  else
-    pthread_join(thread, NULL);
-  munmap(stack, size);
-  return !error && task->well;
-}
-
 bool lsys_derivation_run(LsysDerivation *derivation, uint32_t axiom, LsysSink *sink, unsigned pass) {
   Task task = {.derivation = derivation, .worker = &derivation->worker, .sink = sink, .axiom = axiom, .pass = pass};
-  bool well = run_on_stack(&task);
+  LsysThread thread;
+  bool well = lsys_thread_start(&thread, task.worker, work, &task);
+  if (well) lsys_thread_join(&thread);
+  lsys_parallel_close(task.parallel);
   if (task.writer.stream.run) lsys_writer_close(&task.writer);
   lsys_stepper_close(&task.stepper);
   free_axiom(derivation->worker.memory, &task.word);
-  return well;
+  return well && task.well;
 }

@@ -50,6 +50,13 @@ void lsys_writer_close(LsysWriter *writer) {
   writer->key = NULL;
 }
 
+void lsys_writer_use(LsysWriter *writer, uint8_t *sym, double *arg, uint64_t *key) {
+  writer->sym = sym;
+  writer->arg = arg;
+  writer->key = key;
+  rewind_cursors(writer);
+}
+
 static _Noreturn void stop(LsysRun *run) {
   longjmp(((LsysWorker *)run)->stop, 1);
 }

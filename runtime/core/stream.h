@@ -34,6 +34,9 @@ typedef struct LsysWriter {
 bool lsys_writer_open(LsysWriter *writer, LsysWorker *worker, LsysSink *sink);
 void lsys_writer_close(LsysWriter *writer);
 
+// Makes these arrays, of the same sizes as its own, the writer's chunk, and empty.
+void lsys_writer_use(LsysWriter *writer, uint8_t *sym, double *arg, uint64_t *key);
+
 static inline unsigned lsys_symbol_width(const LsysGrammar *grammar) {
   return grammar->flags & LSYS_GRAMMAR_WIDE ? 2 : 1;
 }

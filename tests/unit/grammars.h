@@ -75,94 +75,95 @@ static const LsysGrammar algae = {
   .expand = algae_expand,
 };
 
-// ---- a row of branches with a param, a guard, a weight and keys -----------------
+// ---- a bush with a param, a guard, weights and keys -----------------------------
 //   param r = 0.5 in 0..1
 //   axiom: A(1) A(2)
-//   A(x) : x > 0.2 --> F(x)[A(x*r)]    : 0.75
-//   A(x)           --> F(x)            : 0.25
+//   A(x) : x > 0.2 --> F(x)[A(x*r)]A(x)    : 0.75
+//   A(x)           --> F(x)                : 0.25
 
-enum { ROW_A, ROW_F, ROW_OPEN, ROW_CLOSE, ROW_R = LSYS_SETTING_COUNT };
+enum { BUSH_A, BUSH_F, BUSH_OPEN, BUSH_CLOSE, BUSH_R = LSYS_SETTING_COUNT };
 
-static const LsysGrammar row;
+static const LsysGrammar bush;
 
-static void row_put(LsysStream *out, uint8_t kind) {
+static void bush_put(LsysStream *out, uint8_t kind) {
   *out->sym++ = kind;
 }
 
-static void row_put_arg(LsysStream *out, uint8_t kind, double x) {
+static void bush_put_arg(LsysStream *out, uint8_t kind, double x) {
   *out->sym++ = kind;
   *out->arg++ = x;
 }
 
-static void row_expand_a(LsysStream *out, uint64_t steps, double x, uint64_t key) {
+static void bush_expand_a(LsysStream *out, uint64_t steps, double x, uint64_t key) {
   if ((uintptr_t)__builtin_frame_address(0) < out->stack_limit) lsys_too_deep(out);
-  if (!grammar_has_room(out, &row)) lsys_flush(out);
+  if (!grammar_has_room(out, &bush)) lsys_flush(out);
   if (steps == 0) {
-    row_put_arg(out, ROW_A, x);
+    bush_put_arg(out, BUSH_A, x);
     *out->key++ = key;
     return;
   }
   double weight = (x > 0.2 ? 0.75 : 0), sum = weight + 0.25;
   bool branches = lsys_draw(key, 0) * sum < weight;
-  row_put_arg(out, ROW_F, x);
+  bush_put_arg(out, BUSH_F, x);
   if (!branches) return;
-  row_put(out, ROW_OPEN);
-  row_expand_a(out, steps - 1, x * out->run->value[ROW_R], lsys_split(key, 2));
-  if (!grammar_has_room(out, &row)) lsys_flush(out);
-  row_put(out, ROW_CLOSE);
+  bush_put(out, BUSH_OPEN);
+  bush_expand_a(out, steps - 1, x * out->run->value[BUSH_R], lsys_split(key, 2));
+  if (!grammar_has_room(out, &bush)) lsys_flush(out);
+  bush_put(out, BUSH_CLOSE);
+  bush_expand_a(out, steps - 1, x, lsys_split(key, 4));
 }
 
-static void row_expand(LsysStream *out, const LsysWord *in, uint64_t steps) {
+static void bush_expand(LsysStream *out, const LsysWord *in, uint64_t steps) {
   const double *arg = in->arg;
   const uint64_t *key = in->key;
   for (uint64_t i = 0; i < in->nsym; i++) {
-    if (in->sym[i] == ROW_A) {
-      row_expand_a(out, steps, *arg++, *key++);
+    if (in->sym[i] == BUSH_A) {
+      bush_expand_a(out, steps, *arg++, *key++);
       continue;
     }
-    if (!grammar_has_room(out, &row)) lsys_flush(out);
-    if (in->sym[i] == ROW_F)
-      row_put_arg(out, ROW_F, *arg++);
+    if (!grammar_has_room(out, &bush)) lsys_flush(out);
+    if (in->sym[i] == BUSH_F)
+      bush_put_arg(out, BUSH_F, *arg++);
     else
-      row_put(out, in->sym[i]);
+      bush_put(out, in->sym[i]);
   }
 }
 
-static void row_init(LsysRun *run, const uint8_t *given) {
+static void bush_init(LsysRun *run, const uint8_t *given) {
   grammar_settings(run);
   run->value[LSYS_SETTING_STEPS] = 3;
-  if (!given[0]) run->value[ROW_R] = 0.5;
+  if (!given[0]) run->value[BUSH_R] = 0.5;
 }
 
-static const uint8_t row_axiom[] = {ROW_A, ROW_A};
-static const double row_arguments[] = {1, 2};
-static const LsysKind row_kinds[] = {
+static const uint8_t bush_axiom[] = {BUSH_A, BUSH_A};
+static const double bush_arguments[] = {1, 2};
+static const LsysKind bush_kinds[] = {
   {"A", 1, 0, LSYS_KIND_KEY},
   {"F", 1, LSYS_TURTLE_DRAW, LSYS_KIND_TERMINAL},
   {"[", 0, LSYS_TURTLE_PUSH, LSYS_KIND_TERMINAL},
   {"]", 0, LSYS_TURTLE_POP, LSYS_KIND_TERMINAL},
 };
-static const LsysAxiom row_axioms[] = {{.word = {.sym = row_axiom, .arg = row_arguments, .nsym = 2, .narg = 2}}};
-static const LsysParam row_params[] = {{"r", ROW_R, 0, 1, "0.5"}};
+static const LsysAxiom bush_axioms[] = {{.word = {.sym = bush_axiom, .arg = bush_arguments, .nsym = 2, .narg = 2}}};
+static const LsysParam bush_params[] = {{"r", BUSH_R, 0, 1, "0.5"}};
 
-static const LsysGrammar row = {
+static const LsysGrammar bush = {
   .abi_version = LSYS_ABI_VERSION,
   .flags = LSYS_GRAMMAR_EXPAND | LSYS_GRAMMAR_RANDOM,
-  .name = "row",
+  .name = "bush",
   .kind_count = 4,
-  .kinds = row_kinds,
+  .kinds = bush_kinds,
   .param_count = 1,
-  .params = row_params,
+  .params = bush_params,
   .axiom_count = 1,
-  .axioms = row_axioms,
+  .axioms = bush_axioms,
   .value_count = LSYS_SETTING_COUNT + 1,
   .seed = 1,
   .room_sym = 2,
   .room_arg = 1,
   .room_key = 1,
   .frame_bytes = 160,
-  .init = row_init,
-  .expand = row_expand,
+  .init = bush_init,
+  .expand = bush_expand,
 };
 
 #endif

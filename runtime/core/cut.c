@@ -1,0 +1,129 @@
+// cut.c -- samples a derivation to find a cut: the first modules of the word
+// before the last m steps are derived to the end, for growing m, until they
+// become long enough to be worth handing to another thread.
+#include "core/cut.h"
+
+#include "core/store.h"
+
+enum {
+  SAMPLE = 32,             // modules
+  WORTH = 1 << 11,         // weight that a module has to become
+  STRETCH = 3 << 14,       // weight of a stretch: less than what a task may be ahead (parallel.c)
+  MOST_STEPS = 1 << 16,    // beyond, words are chains, and sampling takes longer than deriving
+  REFERENCE_DIVISOR = 16,  // a module of a block costs its reader this much less than one that was written
+  MOST_WEIGHT = 1 << 21,   // of a sample
+};
+
+// ---- words -------------------------------------------------------------------
+
+void lsys_cut_begin(LsysCut *cut, const LsysGrammar *grammar, const LsysWord *word) {
+  cut->grammar = grammar;
+  cut->rest = *word;
+}
+
+LsysWord lsys_cut_take(LsysCut *cut, uint64_t modules) {
+  LsysWord *rest = &cut->rest, taken = *rest;
+  if (modules >= rest->nsym) {
+    *rest = (LsysWord){0};
+    return taken;
+  }
+  unsigned width = lsys_symbol_width(cut->grammar);
+  taken.nsym = modules;
+  taken.narg = taken.nkey = 0;
+  for (uint64_t i = 0; i < modules; i++) {
+    const uint8_t *sym = rest->sym + i * width;
+    const LsysKind *kind = &cut->grammar->kinds[width == 1 ? sym[0] : sym[0] | sym[1] << 8];
+    taken.narg += kind->arity;
+    taken.nkey += (kind->flags & LSYS_KIND_KEY) != 0;
+  }
+  rest->sym += modules * width;
+  rest->arg += taken.narg;
+  rest->key += taken.nkey;
+  rest->nsym -= taken.nsym;
+  rest->narg -= taken.narg;
+  rest->nkey -= taken.nkey;
+  return taken;
+}
+
+// ---- samples -----------------------------------------------------------------
+
+typedef struct Sampler {
+  LsysWorker worker;  // of this thread, with as many steps as the sample's derivation
+  LsysSink sink;
+  LsysWriter writer;
+  LsysStore sample;
+  double weight;  // of what the sample became
+} Sampler;
+
+static Sampler *sampler_of(LsysSink *sink) {
+  return (Sampler *)((char *)sink - offsetof(Sampler, sink));
+}
+
+// Both stop the derivation when they have enough.
+static bool take_sample(LsysSink *sink, const LsysWord *part) {
+  Sampler *sampler = sampler_of(sink);
+  LsysCut cut;
+  lsys_cut_begin(&cut, sampler->worker.run.grammar, part);
+  LsysWord first = lsys_cut_take(&cut, SAMPLE - sampler->sample.nsym);
+  return sampler->sample.sink.take(&sampler->sample.sink, &first) && sampler->sample.nsym < SAMPLE;
+}
+
+static bool take_weight(LsysSink *sink, const LsysWord *part) {
+  Sampler *sampler = sampler_of(sink);
+  bool written = part->sym == sampler->writer.sym;
+  sampler->weight += (double)part->nsym / (written ? 1 : REFERENCE_DIVISOR);
+  return sampler->weight < MOST_WEIGHT;
+}
+
+// Derives until the sink has enough.
+static void derive(Sampler *sampler, const LsysWord *word, uint64_t steps, bool (*take)(LsysSink *, const LsysWord *)) {
+  sampler->sink.take = take;
+  lsys_writer_use(&sampler->writer, sampler->writer.sym, sampler->writer.arg, sampler->writer.key);
+  if (setjmp(sampler->worker.stop)) return;
+  sampler->worker.run.grammar->expand(&sampler->writer.stream, word, steps);
+  lsys_flush(&sampler->writer.stream);
+}
+
+// The mean weight of what a module before the last `last` steps becomes.
+static double weigh(Sampler *sampler, const LsysWord *word, uint64_t steps, uint64_t last) {
+  sampler->worker.run.steps = steps - last;
+  lsys_store_clear(&sampler->sample);
+  derive(sampler, word, steps - last, take_sample);
+  sampler->worker.run.steps = steps;
+  sampler->weight = 0;
+  LsysWord sample = lsys_store_word(&sampler->sample);
+  derive(sampler, &sample, last, take_weight);
+  return sample.nsym ? sampler->weight / (double)sample.nsym : 0;
+}
+
+static uint64_t search(Sampler *sampler, const LsysWord *word, uint64_t steps, uint64_t *modules) {
+  for (uint64_t last = 1; last < steps; last += last < 16 ? 1 : last) {
+    double weight = weigh(sampler, word, steps, last);
+    if (weight < WORTH) continue;
+    *modules = weight < STRETCH ? (uint64_t)(STRETCH / weight) : 1;
+    return last;
+  }
+  return steps;
+}
+
+uint64_t lsys_cut_choose(const LsysWorker *worker, const LsysWord *word, uint64_t *modules) {
+  uint64_t steps = worker->run.steps;
+  *modules = UINT64_MAX;
+  if (steps > MOST_STEPS || !word->nsym) return steps;
+  LsysMemory *memory = worker->memory;
+  Sampler *sampler = lsys_memory_alloc(memory, 1, sizeof *sampler);
+  if (!sampler) return 0;
+  sampler->worker.run = worker->run;
+  sampler->worker.memory = memory;
+  sampler->worker.stack_limit = worker->stack_limit;
+  sampler->worker.stack_bytes = worker->stack_bytes;
+  lsys_store_open(&sampler->sample, worker->run.grammar, memory);
+  uint64_t last = 0;
+  if (lsys_writer_open(&sampler->writer, &sampler->worker, &sampler->sink)) {
+    last = search(sampler, word, steps, modules);
+    lsys_writer_close(&sampler->writer);
+  }
+  lsys_store_close(&sampler->sample);
+  lsys_memory_free(memory, sampler, 1, sizeof *sampler);
+  return last;
+}

@@ -1,0 +1,24 @@
+// cut.h -- where to cut a derivation, and a word, into stretches for threads.
+#ifndef LSYS_CORE_CUT_H
+#define LSYS_CORE_CUT_H
+
+#include "core/stream.h"
+
+// A word that is taken apart from its beginning.
+typedef struct LsysCut {
+  const LsysGrammar *grammar;
+  LsysWord rest;
+} LsysCut;
+
+void lsys_cut_begin(LsysCut *cut, const LsysGrammar *grammar, const LsysWord *word);
+
+// The next stretch of at most `modules` modules.
+LsysWord lsys_cut_take(LsysCut *cut, uint64_t modules);
+
+// How many of the worker's steps are the last ones, that threads derive stretch by
+// stretch, and how many modules of the word before them make a stretch. All of
+// the steps: threads would not help, or there is no telling. Derives samples.
+// Returns 0 after printing that there is no memory.
+uint64_t lsys_cut_choose(const LsysWorker *worker, const LsysWord *word, uint64_t *modules);
+
+#endif
