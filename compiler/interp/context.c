@@ -142,7 +142,7 @@ bool match_left(const Links *links, const Context *context, size_t first, size_t
       continue;
     }
     size_t next = links->at[at].left;
-    if (next == NOWHERE) return false;
+    if (next == NOWHERE || (around && next >= at)) return false;
     around |= next >= at;
     if (around && next <= last) return false;
     if (pattern->what != PATTERN_MODULE || kind_at(links, next) != pattern->kind) return false;
@@ -184,14 +184,18 @@ static size_t next_branch(const Match *match, const AxisPlace *place) {
   }
 }
 
-static bool step_module(const Match *match, const Pattern *pattern, AxisPlace *place) {
+// The next module of the axis; NOWHERE at its end, which in a ring is the strict predecessor.
+static size_t next_module(const Match *match, const AxisPlace *place) {
   size_t next = place->rest ? NOWHERE : match->links->at[place->at].right;
-  if (next == NOWHERE) return false;
-  bool around = place->around || next <= place->at;
-  if (around && next >= match->first) return false;
-  if (kind_at(match->links, next) != pattern->kind) return false;
+  if (next == NOWHERE || next > place->at) return place->around && next >= match->first ? NOWHERE : next;
+  return place->around || next >= match->first ? NOWHERE : next;
+}
+
+static bool step_module(const Match *match, const Pattern *pattern, AxisPlace *place) {
+  size_t next = next_module(match, place);
+  if (next == NOWHERE || kind_at(match->links, next) != pattern->kind) return false;
   bind(match->links, pattern, next, match->scope);
-  *place = (AxisPlace){next, next + 1, around, false};
+  *place = (AxisPlace){next, next + 1, place->around || next <= place->at, false};
   return true;
 }
 
@@ -232,14 +236,10 @@ static bool step_group(Match *match, size_t p, size_t end, AxisPlace *place) {
   return fits;
 }
 
-static bool at_end(const Match *match, const AxisPlace *place) {
-  return place->rest || match->links->at[place->at].right == NOWHERE;
-}
-
 // True if a ] follows on the axis, behind ignored modules and branches.
 static bool at_close(const Match *match, const AxisPlace *place) {
   const Links *links = match->links;
-  for (size_t i = place->from; at_end(match, place) && i < links->word->count; i++) {
+  for (size_t i = place->from; next_module(match, place) == NOWHERE && i < links->word->count; i++) {
     if (kind_at(links, i) == links->program->close) return true;
     if (kind_at(links, i) == links->program->open) i = links->at[i].close;
   }
@@ -268,7 +268,7 @@ static bool match_axis(Match *match, size_t p, size_t end, AxisPlace place) {
       place.rest = true;
       break;
     case PATTERN_END:
-      if (!at_end(match, &place)) return false;
+      if (next_module(match, &place) != NOWHERE) return false;
       break;
     }
   }

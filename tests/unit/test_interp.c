@@ -109,6 +109,8 @@ static void test_ring(void **state) {
   assert_word("ring lsystem\naxiom: ABC\nC > A -> X\n", "1", "ABX");
   assert_word("ring lsystem\naxiom: ABC\nBC < A > BC -> X\n", "1", "XBC");
   assert_word("ring lsystem\naxiom: ABC\nABC < A -> X\nA > BCA -> Y\n", "1", "ABC");
+  assert_word("ring lsystem\naxiom: [A][B]C\nCC < A -> X\nC < B -> Y\n", "1", "[A][Y]C");
+  assert_word("ring lsystem\naxiom: CA\nA > C@] -> X\n", "1", "CX");
 }
 
 static void test_hidden_neighbours_bind_arguments(void **state) {
