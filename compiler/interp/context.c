@@ -164,14 +164,14 @@ typedef struct Match {
 // A place on an axis: behind the module at, and behind the branches before from.
 typedef struct AxisPlace {
   size_t at, from;
-  bool around;  // a ring: past the word's end
+  bool around;  // a ring: at is past the word's end; from may be before it is
   bool rest;    // the rest of the branch was skipped
 } AxisPlace;
 
 // The next branch at a place, as the index of its `[`.
 static size_t next_branch(const Match *match, const AxisPlace *place) {
   const Links *links = match->links;
-  bool around = place->around;
+  bool around = place->around || place->from <= place->at;
   for (size_t i = place->from;; i++) {
     if (i >= links->word->count) {
       if (!links->lsystem->ring || around) return NOWHERE;
@@ -227,9 +227,9 @@ static bool step_group(Match *match, size_t p, size_t end, AxisPlace *place) {
   bool fits = false;
   for (size_t open; !fits && (open = next_branch(match, place)) != NOWHERE;) {
     size_t close = match->links->at[open].close;
-    place->around |= open < place->from;
+    bool around = place->around || open < place->at;
     place->from = close + 1;
-    fits = match_axis(match, p, end, (AxisPlace){open, open + 1, place->around, false});
+    fits = match_axis(match, p, end, (AxisPlace){open, open + 1, around, false});
     if (close >= match->links->word->count) break;
   }
   match->depth--;
