@@ -115,6 +115,24 @@ static bool choose_axioms(LsysDerivation *derivation, const LsysOptions *options
   return true;
 }
 
+// expand where it applies and nothing else is asked for.
+static bool choose_engine(LsysDerivation *derivation, const LsysOptions *options) {
+  const LsysGrammar *grammar = derivation->worker.run.grammar;
+  const LsysOptionValue *given = &options->at[LSYS_OPTION_ENGINE];
+  derivation->expands = grammar->expand;
+  if (!given->given || grammar->derive) return true;
+  bool expand = strcmp(given->text, "expand") == 0, step = strcmp(given->text, "step") == 0;
+  derivation->expands = expand;
+  if ((expand && grammar->expand) || (step && grammar->step)) return true;
+  if (expand)
+    lsys_error("--engine expand: the grammar is not context-free");
+  else if (step)
+    lsys_error("--engine step: the grammar was compiled for the expand engine only");
+  else
+    lsys_error("--engine %s: the engines are expand and step", given->text);
+  return false;
+}
+
 static bool choose_threads(LsysDerivation *derivation, const LsysOptions *options) {
   const LsysOptionValue *given = &options->at[LSYS_OPTION_THREADS];
   long cores = sysconf(_SC_NPROCESSORS_ONLN);
@@ -133,7 +151,8 @@ bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar
   LsysRun *run = &derivation->worker.run;
   run->root = lsys_root(seed->given ? seed->whole : grammar->seed);
   return initialise_values(&derivation->worker, options) && choose_steps(run, options)
-      && choose_axioms(derivation, options) && choose_threads(derivation, options);
+      && choose_axioms(derivation, options) && choose_threads(derivation, options)
+      && choose_engine(derivation, options);
 }
 
 void lsys_derivation_close(LsysDerivation *derivation) {
@@ -213,7 +232,7 @@ static bool derive(Task *task) {
   if (!grammar->derive) {
     if (!pack_axiom(task->worker, task->axiom, &task->word)) return false;
     if (run->steps == 0) return task->sink->take(task->sink, &task->word);
-    if (!grammar->expand) return lsys_stepper_run(&task->stepper, task->worker, &task->word, task->sink);
+    if (!task->derivation->expands) return lsys_stepper_run(&task->stepper, task->worker, &task->word, task->sink);
   }
   if (!task->derivation->blocks && !(task->derivation->blocks = lsys_blocks_build(task->worker))) return false;
   unsigned threads = task->derivation->threads;

@@ -10,6 +10,7 @@
 typedef struct LsysDerivation {
   LsysWorker worker;                // the run, and what belongs to its thread
   LsysBlocks *blocks;               // made when first needed
+  bool expands;                     // by the expand engine, else by the step engine
   unsigned threads;                 // that may work on a derivation
   uint32_t first_axiom, axiom_end;  // the start words that are asked for
 } LsysDerivation;

@@ -6,6 +6,7 @@
 
 // A process has one name, like its signal handlers.
 static const char *program = "lsys";
+static int is_quiet;
 
 void lsys_message_program(const char *name) {
   program = name;
@@ -32,7 +33,20 @@ void lsys_error(const char *format, ...) {
   va_end(args);
 }
 
+void lsys_message_quiet(int quiet) {
+  is_quiet = quiet;
+}
+
+void lsys_warning(const char *format, ...) {
+  if (is_quiet) return;
+  va_list args;
+  va_start(args, format);
+  print("warning", format, args);
+  va_end(args);
+}
+
 void lsys_note(const char *format, ...) {
+  if (is_quiet) return;
   va_list args;
   va_start(args, format);
   print("note", format, args);

@@ -8,9 +8,12 @@
 // The name that messages begin with; the pointer is kept.
 void lsys_message_program(const char *name);
 const char *lsys_message_name(void);
+void lsys_message_quiet(int quiet);
 
 void lsys_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void lsys_verror(const char *format, va_list args);
+// Say nothing after lsys_message_quiet(1).
+void lsys_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void lsys_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 // The candidate (of count) nearest to the misspelt word, or NULL if none is near.

@@ -6,12 +6,14 @@
 #include "core/message.h"
 #include "core/signals.h"
 #include "sinks/homomorphism.h"
+#include "sinks/progress.h"
 #include "sinks/tee.h"
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
-enum { MOST_SINKS = 4 };  // the word or picture, and the reports
+enum { MOST_SINKS = 5 };  // the word or picture, the reports, and progress
 
 // What the options ask for: sinks, and where they write.
 typedef struct Outputs {
@@ -79,6 +81,14 @@ static bool close_outputs(Outputs *outputs, bool well) {
   return well;
 }
 
+// --progress: only where there is a terminal to show it on.
+static bool add_progress(Outputs *outputs, const LsysSinkContext *context) {
+  if (!context->options->at[LSYS_OPTION_PROGRESS].given || !isatty(STDERR_FILENO)) return true;
+  LsysSink *sink = lsys_sink_progress(context);
+  if (sink) outputs->sinks[outputs->count++] = sink;
+  return sink;
+}
+
 static bool derive_into(LsysDerivation *derivation, Outputs *outputs) {
   if (outputs->only_counts && derivation->worker.run.grammar->growth.row)
     return lsys_growth_print(derivation, outputs->screen);
@@ -97,7 +107,8 @@ static bool run(const LsysGrammar *grammar, const LsysOptions *options) {
   LsysDerivation derivation;
   Outputs outputs = {0};
   bool well = lsys_derivation_open(&derivation, grammar, options, &memory);
-  well = well && open_outputs(&outputs, &(LsysSinkContext){grammar, options, &memory, NULL});
+  LsysSinkContext context = {grammar, options, &memory, NULL};
+  well = well && open_outputs(&outputs, &context) && add_progress(&outputs, &context);
   well = well && derive_into(&derivation, &outputs);
   well = close_outputs(&outputs, well);
   lsys_derivation_close(&derivation);
@@ -118,6 +129,7 @@ int lsys_main(const LsysGrammar *grammar, int argc, char **argv) {
   } else if (well && options.at[LSYS_OPTION_VERSION].given) {
     printf("%s, compiled by lsysc %s\n", grammar->name, LSYS_VERSION);
   } else if (well) {
+    lsys_message_quiet(options.at[LSYS_OPTION_QUIET].given);
     lsys_signals_install();
     well = run(grammar, &options);
   }

@@ -128,6 +128,9 @@ static void options(void **state) {
   refuse(&algae, "-n x", "a whole number");
   refuse(&algae, "-n 1 --format txet", "did you mean 'text'?");
   refuse(&algae, "-n 1 --axiom 2", "the grammar has 1 start word");
+  refuse(&algae, "-n 1 --engine x", "the engines are expand and step");
+  refuse(&algae, "-n 1 --engine step", "for the expand engine only");
+  expect(&algae, "-n 5 --engine expand --progress --quiet", "ABAABABAABAAB\n");
   refuse(&algae, "-n 1 -o /nowhere/x.txt", "cannot write /nowhere/x.txt");
   refuse(&algae, "-n 30 -o /dev/full", "No space left on device");
   assert_int_equal(run(&bush, "--help"), 0);
