@@ -107,7 +107,7 @@ bool lsys_options_parse(LsysOptions *options, int argc, char **argv) {
     lsys_error("out of memory");
     return false;
   }
-  for (int i = 1; i < argc; i++) {
+  for (int i = 0; i < argc; i++) {
     const char *text;
     const LsysOptionInfo *info = find(argv[i], &text);
     if (!info) return false;

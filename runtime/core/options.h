@@ -47,7 +47,7 @@ typedef struct LsysOptions {
   size_t definition_count;
 } LsysOptions;
 
-// Reads argv[1..argc). False after printing what is wrong. The texts point into argv.
+// Reads argv[0..argc), without a program's name. False after printing what is wrong. The texts point into argv.
 bool lsys_options_parse(LsysOptions *options, int argc, char **argv);
 void lsys_options_free(LsysOptions *options);
 

@@ -1,5 +1,7 @@
 // program.c -- lsys_main: the command line of a compiled program, from options
 // to the last byte written. `lsysc run` and `lsysc interp` come here too.
+#include "core/program.h"
+
 #include "core/derive.h"
 #include "core/formats.h"
 #include "core/growth.h"
@@ -13,7 +15,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { MOST_SINKS = 5 };  // the word or picture, the reports, and progress
+enum { MOST_SINKS = 6 };  // the word or picture, the reports, progress, and a program's own
 
 // What the options ask for: sinks, and where they write.
 typedef struct Outputs {
@@ -21,6 +23,7 @@ typedef struct Outputs {
   LsysOut *screen;  // standard output
   LsysSink *sinks[MOST_SINKS];
   size_t count;
+  size_t borrowed;   // the first ones are not ours
   bool only_counts;  // nothing but --count of the derived word: a growth matrix can tell
 } Outputs;
 
@@ -59,7 +62,8 @@ static bool open_outputs(Outputs *outputs, const LsysSinkContext *context) {
   const LsysOptionValue *options = context->options->at;
   bool counts = options[LSYS_OPTION_COUNTS].given;
   bool reports = counts || options[LSYS_OPTION_STATS].given || options[LSYS_OPTION_HASH].given;
-  bool word = !reports || options[LSYS_OPTION_OUTPUT].given || options[LSYS_OPTION_FORMAT].given;
+  bool asked = options[LSYS_OPTION_OUTPUT].given || options[LSYS_OPTION_FORMAT].given;
+  bool word = asked || !(reports || outputs->borrowed);
   outputs->screen = lsys_out_open("-");
   if (!outputs->screen || (word && !add_word(outputs, context)) || !add_reports(outputs, context)) return false;
   outputs->only_counts =
@@ -69,7 +73,7 @@ static bool open_outputs(Outputs *outputs, const LsysSinkContext *context) {
 
 // Completes the files if all went well, else removes them.
 static bool close_outputs(Outputs *outputs, bool well) {
-  for (size_t i = 0; i < outputs->count; i++) outputs->sinks[i]->destroy(outputs->sinks[i]);
+  for (size_t i = outputs->borrowed; i < outputs->count; i++) outputs->sinks[i]->destroy(outputs->sinks[i]);
   LsysOut *outs[] = {outputs->file, outputs->screen};
   for (int i = 0; i < 2; i++) {
     if (!outs[i]) continue;
@@ -101,13 +105,14 @@ static bool derive_into(LsysDerivation *derivation, Outputs *outputs) {
   return sink->finish(sink);
 }
 
-static bool run(const LsysGrammar *grammar, const LsysOptions *options) {
+bool lsys_program_run(const LsysGrammar *grammar, const LsysOptions *options, LsysSink *own) {
   const LsysOptionValue *limit = &options->at[LSYS_OPTION_MAX_MEMORY];
   LsysMemory memory = {.limit = limit->given ? limit->whole : lsys_memory_default()};
-  LsysDerivation derivation;
-  Outputs outputs = {0};
-  bool well = lsys_derivation_open(&derivation, grammar, options, &memory);
   LsysSinkContext context = {grammar, options, &memory, NULL};
+  LsysDerivation derivation;
+  Outputs outputs = {.sinks = {own}, .count = own != NULL, .borrowed = own != NULL};
+  lsys_message_quiet(options->at[LSYS_OPTION_QUIET].given);
+  bool well = lsys_derivation_open(&derivation, grammar, options, &memory);
   well = well && open_outputs(&outputs, &context) && add_progress(&outputs, &context);
   well = well && derive_into(&derivation, &outputs);
   well = close_outputs(&outputs, well);
@@ -115,23 +120,25 @@ static bool run(const LsysGrammar *grammar, const LsysOptions *options) {
   return well;
 }
 
+bool lsys_program_fits(const LsysGrammar *grammar) {
+  if (grammar->abi_version == LSYS_ABI_VERSION) return true;
+  lsys_error("%s was compiled for version %u of the run time, which is version %u", grammar->name, grammar->abi_version,
+             LSYS_ABI_VERSION);
+  return false;
+}
+
 int lsys_main(const LsysGrammar *grammar, int argc, char **argv) {
   lsys_message_program(argc > 0 ? argv[0] : grammar->name);
-  if (grammar->abi_version != LSYS_ABI_VERSION) {
-    lsys_error("this program was compiled for version %u of the run time, which is version %u", grammar->abi_version,
-               LSYS_ABI_VERSION);
-    return 1;
-  }
+  if (!lsys_program_fits(grammar)) return 1;
   LsysOptions options;
-  bool well = lsys_options_parse(&options, argc, argv);
+  bool well = lsys_options_parse(&options, argc > 0 ? argc - 1 : 0, argv + 1);
   if (well && options.at[LSYS_OPTION_HELP].given) {
     well = lsys_help(stdout, grammar, options.at[LSYS_OPTION_HELP].text);
   } else if (well && options.at[LSYS_OPTION_VERSION].given) {
     printf("%s, compiled by lsysc %s\n", grammar->name, LSYS_VERSION);
   } else if (well) {
-    lsys_message_quiet(options.at[LSYS_OPTION_QUIET].given);
     lsys_signals_install();
-    well = run(grammar, &options);
+    well = lsys_program_run(grammar, &options, NULL);
   }
   lsys_options_free(&options);
   if (fflush(stdout) != 0) well = false;

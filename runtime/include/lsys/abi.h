@@ -195,7 +195,7 @@ void lsys_too_deep(LsysStream *out);
 void lsys_charge(LsysRun *run, int64_t bytes);
 
 // Ends the run with a message for the user, such as an array's index out of range; does not return.
-_Noreturn void lsys_fail(LsysRun *run, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void lsys_fail(LsysRun *run, const char *format, ...) __attribute__((format(printf, 2, 3), noreturn));
 
 // printf of a block, to standard error: format holds one conversion d, i, e, f or g for each value.
 void lsys_print(LsysRun *run, const char *format, const double *values, uint32_t count);

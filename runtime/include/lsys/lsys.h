@@ -1,0 +1,48 @@
+// lsys.h -- a compiled grammar inside of a program of one's own, in C or C++.
+//
+//   lsysc -c plant.lsys                                       makes plant.o
+//   cc $(pkg-config --cflags lsysrt) mine.c plant.o $(pkg-config --libs lsysrt)
+//
+//   #include <lsys/lsys.h>
+//   #include <stdio.h>
+//
+//   extern const LsysGrammar lsys_grammar;                    // what plant.o holds
+//
+//   static bool count(void *data, uint32_t axiom, const LsysWord *part) {
+//     *(uint64_t *)data += part->nsym;
+//     return true;
+//   }
+//
+//   int main(void) {
+//     static const char *const options[] = {"-n", "8", "--seed", "3", NULL};
+//     uint64_t modules = 0;
+//     if (!lsys_derive(&lsys_grammar, options, count, &modules)) return 1;
+//     printf("%llu modules\n", (unsigned long long)modules);
+//   }
+//
+// abi.h says how a word is packed, and what lsys_grammar tells of its kinds.
+#ifndef LSYS_LSYS_H
+#define LSYS_LSYS_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#include "lsys/abi.h"
+
+#include <stdbool.h>
+
+// Gets the derived word part by part, in order, on one thread (not the caller's). The part is gone when
+// it returns. False stops the derivation.
+typedef bool LsysReceive(void *data, uint32_t axiom, const LsysWord *part);
+
+// Derives the grammar's start words as its program would. options are those of
+// its command line, up to a NULL; the word is printed only if they ask for it.
+// False after printing on standard error what is wrong, or when receive stopped it.
+bool lsys_derive(const LsysGrammar *grammar, const char *const *options, LsysReceive *receive, void *data);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
