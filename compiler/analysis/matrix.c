@@ -120,7 +120,7 @@ static bool decomposition_rows(Matrix *matrix, Row **rows) {
   if (!section->productions.count) return true;
   double depth = 1;
   if (section->depth && !expr_constant(program, section->depth, &depth)) return false;
-  for (double level = 0; level < depth; level++) {
+  for (unsigned level = 0; level < depth; level++) {
     if (level >= DEEPEST_DECOMPOSITION) return false;
     Row *next = arena_array(analysis->arena, program->kind_count, sizeof *next);
     bool changed = false;

@@ -20,7 +20,7 @@ static void append(Arena *arena, Lists *lists, const Productions *from) {
     KindId kind = from->at[i]->strict.at[0].kind;
     Productions *list = &lists->of[kind];
     if (list->count == lists->room[kind]) {
-      list->at = vec_grow(arena, list->at, list->count, &lists->room[kind], sizeof *list->at);
+      list->at = vec_grow(arena, list->at, list->count, &lists->room[kind], sizeof(Production *));
     }
     list->at[list->count++] = from->at[i];
   }

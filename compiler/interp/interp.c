@@ -197,8 +197,10 @@ static void release(Interp *interp) {
     links_free(&interp->systems[i].derivation.links);
     links_free(&interp->systems[i].homomorphism.links);
   }
-  Boxes *words[] = {&interp->word, &interp->next, &interp->stack, &interp->successor};
-  for (size_t i = 0; i < sizeof words / sizeof *words; i++) boxes_free(words[i]);
+  boxes_free(&interp->word);
+  boxes_free(&interp->next);
+  boxes_free(&interp->stack);
+  boxes_free(&interp->successor);
   scope_free(&interp->scope);
   scope_free(&interp->blocks);
   free(interp->candidates);
