@@ -62,7 +62,7 @@ static void missing_arrow(Parser *parser, const Statement *s) {
 }
 
 void guess_statement(Parser *parser, const Statement *s) {
-  KeywordMatch match = keyword_find(s->begin, s->end);
+  KeywordMatch match = keyword_find(s->begin, s->end, parser->notation);
   bool letter = match.keyword && (size_t)(match.end - s->begin) == utf8_length(s->begin, s->end);
   if (*s->begin == '#' && s->begin + 1 < s->end && !match.keyword && s->begin[1] >= 'a' && s->begin[1] <= 'z') {
     unknown_directive(parser, s);

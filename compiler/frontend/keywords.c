@@ -25,37 +25,44 @@ static bool is_word(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
+static char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
 // Where [at, end) leaves a spelling of the given length; NULL if it does not begin with it.
-static const char *spelled(const char *at, const char *end, const char *spelling, size_t length) {
+static const char *spelled(const char *at, const char *end, const char *spelling, size_t length, bool any_case) {
   for (size_t i = 0; i < length; i++) {
     if (spelling[i] == '_') {
       const char *next = at < end && *at == '_' ? at + 1 : skip_blanks(at, end);
-      if (next == at) return NULL;
+      if (next == at && !any_case) return NULL;
       at = next;
-    } else if (at == end || *at++ != spelling[i]) {
+    } else if (at == end || (*at != spelling[i] && (!any_case || lower(*at) != lower(spelling[i])))) {
       return NULL;
+    } else {
+      at++;
     }
   }
   return at < end && is_word(at[-1]) && is_word(*at) ? NULL : at;
 }
 
 // The end of the longest spelling in a list that [at, end) begins with, or NULL.
-static const char *spelled_any(const char *at, const char *end, const char *spellings) {
+static const char *spelled_any(const char *at, const char *end, const char *spellings, const Notation *notation) {
   const char *longest = NULL;
   while (*spellings) {
     size_t length = strcspn(spellings, " ");
-    const char *found = spelled(at, end, spellings, length);
+    bool letter = length == utf8_length(spellings, spellings + length);
+    const char *found = letter && !notation->labels ? NULL : spelled(at, end, spellings, length, notation->any_case);
     if (found && (!longest || found > longest)) longest = found;
     spellings += length + (spellings[length] == ' ');
   }
   return longest;
 }
 
-KeywordMatch keyword_find(const char *at, const char *end) {
+KeywordMatch keyword_find(const char *at, const char *end, const Notation *notation) {
   KeywordMatch best = {0};
   for (int i = 0; i < KEYWORDS; i++)
     for (int j = 0; j < 2; j++) {
-      const char *found = spelled_any(at, end, keywords[i].spellings[j]);
+      const char *found = spelled_any(at, end, keywords[i].spellings[j], notation);
       if (found && (!best.keyword || found > best.end)) best = (KeywordMatch){&keywords[i], found, NULL, found};
     }
   if (!best.keyword || best.keyword->colon == COLON_LACKS) return best;
@@ -67,8 +74,8 @@ KeywordMatch keyword_find(const char *at, const char *end) {
   return best;
 }
 
-KeywordMatch keyword_match(const char *at, const char *end) {
-  KeywordMatch match = keyword_find(at, end);
+KeywordMatch keyword_match(const char *at, const char *end, const Notation *notation) {
+  KeywordMatch match = keyword_find(at, end, notation);
   if (match.keyword && match.keyword->colon == COLON_NEEDS && !match.colon) return (KeywordMatch){0};
   return match;
 }

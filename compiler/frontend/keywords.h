@@ -2,6 +2,7 @@
 #ifndef LSYSC_FRONTEND_KEYWORDS_H
 #define LSYSC_FRONTEND_KEYWORDS_H
 
+#include "frontend/notation.h"
 #include "frontend/scan.h"
 
 typedef enum KeywordColon { COLON_NEEDS, COLON_TAKES, COLON_LACKS } KeywordColon;
@@ -23,10 +24,10 @@ typedef struct KeywordMatch {
 } KeywordMatch;
 
 // The keyword that [at, end) begins with, whatever stands behind it.
-KeywordMatch keyword_find(const char *at, const char *end);
+KeywordMatch keyword_find(const char *at, const char *end, const Notation *notation);
 
 // The same, if it has the colon that it needs.
-KeywordMatch keyword_match(const char *at, const char *end);
+KeywordMatch keyword_match(const char *at, const char *end, const Notation *notation);
 
 // #if, #ifdef, #ifndef, #elif, #else or #endif.
 bool keyword_is_conditional(const Keyword *keyword);

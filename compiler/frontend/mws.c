@@ -135,7 +135,7 @@ static void read_axiom(Mws *mws, Text line) {
 // The statement in a line, which must be a production. False after reporting.
 static bool read_production(Mws *mws, Text line, Statement *statement) {
   Splitter splitter;
-  splitter_init(&splitter, mws->parser.build.arena, mws->parser.diag, mws->file);
+  splitter_init(&splitter, mws->parser.build.arena, mws->parser.diag, &notation_native, mws->file);
   splitter.at = line.at;
   splitter.end = line.end;
   size_t errors = diag_errors(mws->parser.diag);
@@ -293,7 +293,7 @@ Ast *mws_parse(Arena *arena, Sources *sources, Diag *diag, const SourceFile *fil
   mws->ast = ARENA_NEW(arena, Ast);
   mws->ast->file = file;
   mws->ast->rules.dialect = "mws";
-  parser_init(&mws->parser, arena, diag, sources);
+  parser_init(&mws->parser, arena, diag, sources, &notation_native);
   add_turns(mws);
   Text rest = {file->text, file->text + file->length}, line;
   while (next_line(&rest, &line)) read_line(mws, line);

@@ -9,6 +9,16 @@
 
 typedef VEC(Statement *) Statements;
 
+const Notation notation_native = {.labels = true, .short_arrows = true, .subscripts = true, .start_words = true};
+const Notation notation_cpfg = {.macros = true,
+                                .tabs_join = true,
+                                .any_case = true,
+                                .left_power = true,
+                                .angle_unequal = true,
+                                .characters = true,
+                                .references = true,
+                                .any_action = true};
+
 // The names of #modules, module and surface statements become symbols.
 static void declare(Parser *parser, Statement *s) {
   int token = s->first.keyword ? s->first.keyword->token : 0;
@@ -34,22 +44,42 @@ static Statements read_statements(Parser *parser, Sources *sources, const Source
   return all;
 }
 
-Ast *native_parse(Arena *arena, Sources *sources, Diag *diag, const SourceFile *file, const ParseOptions *options) {
-  Ast *ast = ARENA_NEW(arena, Ast);
+static Ast *parse(Parser *parser, Sources *sources, const SourceFile *file, const ParseOptions *options) {
+  Ast *ast = ARENA_NEW(parser->build.arena, Ast);
   ast->file = file;
-  ast->rules.dialect = "native";
+  Statements all = read_statements(parser, sources, file, options);
+  for (size_t i = 0; i < all.count; i++) parser_statement(parser, all.at[i], &ast->statements);
+  return ast;
+}
+
+Ast *native_parse(Arena *arena, Sources *sources, Diag *diag, const SourceFile *file, const ParseOptions *options) {
   Parser parser;
-  parser_init(&parser, arena, diag, sources);
-  Statements all = read_statements(&parser, sources, file, options);
-  for (size_t i = 0; i < all.count; i++) parser_statement(&parser, all.at[i], &ast->statements);
+  parser_init(&parser, arena, diag, sources, &notation_native);
+  Ast *ast = parse(&parser, sources, file, options);
+  ast->rules.dialect = "native";
   parser_finish(&parser);
   return ast;
 }
 
-void native_dump_tokens(Arena *arena, Sources *sources, Diag *diag, const SourceFile *file, const ParseOptions *options,
-                        FILE *out) {
+Ast *cpfg_parse(Arena *arena, Sources *sources, Diag *diag, const SourceFile *file, const ParseOptions *options) {
   Parser parser;
-  parser_init(&parser, arena, diag, sources);
+  parser_init(&parser, arena, diag, sources, &notation_cpfg);
+  Ast *ast = parse(&parser, sources, file, options);
+  ast->rules = (AstRules){
+    .dialect = "cpfg", .literal_context_brackets = true, .unweighted_counts_one = true, .last_ignore_counts = true};
+  parser_finish(&parser);
+  return ast;
+}
+
+bool cpfg_recognise(const SourceFile *file) {
+  size_t length = strlen(file->path);
+  return length > 2 && strcmp(file->path + length - 2, ".l") == 0;
+}
+
+void native_dump_tokens(Arena *arena, Sources *sources, Diag *diag, const SourceFile *file, const ParseOptions *options,
+                        bool cpfg, FILE *out) {
+  Parser parser;
+  parser_init(&parser, arena, diag, sources, cpfg ? &notation_cpfg : &notation_native);
   Statements all = read_statements(&parser, sources, file, options);
   for (size_t i = 0; i < all.count; i++) parser_tokens(&parser, all.at[i], out);
   parser_finish(&parser);

@@ -17,6 +17,7 @@ static const struct {
 } dialects[] = {
   {"mws", mws_recognise, mws_parse},
   {"fractint", fractint_recognise, fractint_parse},
+  {"cpfg", cpfg_recognise, cpfg_parse},
   {"native", NULL, native_parse},
 };
 enum { DIALECTS = sizeof dialects / sizeof *dialects, NATIVE = DIALECTS - 1 };
@@ -47,8 +48,10 @@ Ast *parse_file(Arena *arena, Sources *sources, Diag *diag, const SourceFile *fi
 
 void parse_dump_tokens(Arena *arena, Sources *sources, Diag *diag, const SourceFile *file, const ParseOptions *options,
                        FILE *out) {
-  if (find_dialect(file, options) == NATIVE)
-    native_dump_tokens(arena, sources, diag, file, options, out);
+  int dialect = find_dialect(file, options);
+  bool cpfg = dialect >= 0 && dialects[dialect].parse == cpfg_parse;
+  if (dialect == NATIVE || cpfg)
+    native_dump_tokens(arena, sources, diag, file, options, cpfg, out);
   else
-    diag_error(diag, (Span){0, 0}, "only files in the native notation have tokens to print");
+    diag_error(diag, (Span){0, 0}, "only native and cpfg files have tokens to print");
 }

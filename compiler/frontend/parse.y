@@ -16,23 +16,11 @@
 %param {Parser *parser}
 
 %code requires {
-#include "frontend/parser.h"
-
-typedef struct Predecessor {
-  AstWord left, strict, right;
-} Predecessor;
-
-typedef struct Guard {
-  AstActions before, after;
-  bool has_before, has_after;
-  AstExpr *condition;
-} Guard;
+#include "frontend/parse_build.h"
 }
 
 %code {
 #include "frontend/parse_error.h"
-
-#include <string.h>
 
 #define YYSTACK_USE_ALLOCA 0
 #define YYMAXDEPTH 4000  // blocks in one another; for expressions AST_DEEPEST is lower
@@ -41,14 +29,6 @@ typedef struct Guard {
 static Span joined(const Span *rhs, int count);
 static int yylex(YYSTYPE *value, Span *span, Parser *parser);
 static void yyerror(const Span *span, Parser *parser, const char *message);
-static AstStatement *emit(Parser *parser, AstStatementKind kind);
-static AstStatement *emit_named(Parser *parser, AstStatementKind kind, const char *name, Span span);
-static void section(Parser *parser, AstStatementKind kind, AstSymbols options);
-static AstWord unless_star(AstWord word, bool context);
-static AstProduction *production(Parser *parser, Predecessor predecessor, Guard guard);
-static AstAction *action(Parser *parser, AstActionKind kind, Span span, AstExpr *value, AstActions then);
-static AstExprs append(Parser *parser, AstExprs list, AstExprs more);
-static AstActions append_actions(Parser *parser, AstActions list, AstActions more);
 
 #define BUILD (parser->build)
 #define PUSH(list) (*VEC_PUSH(parser->build.arena, &(list)))
@@ -73,9 +53,10 @@ static AstActions append_actions(Parser *parser, AstActions list, AstActions mor
 %token COLON "`:`" RANGE "`..`" IN "`in`" IF "`if`" ELSE "`else`" WHILE "`while`" DO "`do`"
 %token ARRAY "`array`" NOT "`!`"
  // The operators; NOT among them would only begin an expression.
-%token PLUS "`+`" MINUS "`-`" STAR "`*`" SLASH "`/`" PERCENT "`%`" CARET "`^`" OR "`|`" AND "`&`" ASSIGN "`=`" EQ "`==`"
+%token PLUS "`+`" MINUS "`-`" STAR "`*`" SLASH "`/`" PERCENT "`%`" CARET "`^`" LEFT_CARET OR "`|`" AND "`&`" ASSIGN "`=`" EQ "`==`"
 %token NE "`!=`" LT "`<`" LE "`<=`" GT "`>`" GE "`>=`" QUESTION "`?`"
 
+%precedence VALUE  // lower than ASSIGN: `x =` at the begin of an action assigns
 %right QUESTION COLON
 %left OR
 %left AND
@@ -83,12 +64,13 @@ static AstActions append_actions(Parser *parser, AstActions list, AstActions mor
 %left LT LE GT GE
 %left PLUS MINUS
 %left STAR SLASH PERCENT
+%left LEFT_CARET
 %precedence UNARY NOT
 %right CARET
 %precedence THEN
 %precedence ELSE
 
-%nterm <AstExpr *> expr weight condition target call
+%nterm <AstExpr *> expr argument weight condition
 %nterm <AstExprs> arguments list indices values value
 %nterm <AstModule> module
 %nterm <AstWord> word
@@ -112,75 +94,75 @@ input:
 
 statement:
   label predecessor guard ARROW word weight {
-    AstProduction *p = emit(parser, AST_PRODUCTION)->production = production(parser, $2, $3);
+    AstProduction *p = build_statement(parser, AST_PRODUCTION)->production = build_production(parser, $2, $3);
     p->label = $1;
     p->label_span = $1 ? @1 : (Span){0, 0};
     p->arrow_span = @4;
-    p->successor = unless_star($5, false);
+    p->successor = build_unless_star($5, false);
     p->weight = $6;
   }
-| AXIOM words { emit(parser, AST_AXIOM)->words = $2; }
-| IGNORE symbols { emit(parser, AST_IGNORE)->symbols = $2; }
-| CONSIDER symbols { emit(parser, AST_CONSIDER)->symbols = $2; }
+| AXIOM words { build_statement(parser, AST_AXIOM)->words = $2; }
+| IGNORE symbols { build_statement(parser, AST_IGNORE)->symbols = $2; }
+| CONSIDER symbols { build_statement(parser, AST_CONSIDER)->symbols = $2; }
 | SETTING expr {
-    AstStatement *s = emit(parser, AST_SETTING);
+    AstStatement *s = build_statement(parser, AST_SETTING);
     s->setting = $1;
     s->value = $2;
     if ($2->kind == AST_NAME) s->name = $2->name;
   }
-| SEED expr { emit(parser, AST_SECTION_SEED)->value = $2; }
-| DECOMPOSITION { emit(parser, AST_DECOMPOSITION); }
-| DECOMPOSITION names { section(parser, AST_DECOMPOSITION, $2); }
-| HOMOMORPHISM { emit(parser, AST_HOMOMORPHISM); }
-| HOMOMORPHISM names { section(parser, AST_HOMOMORPHISM, $2); }
-| PRODUCTIONS { emit(parser, AST_PRODUCTIONS); }
-| MAXIMUM_DEPTH expr { emit(parser, AST_MAXIMUM_DEPTH)->value = $2; }
-| TABLE NAME COLON { emit_named(parser, AST_TABLE, $2, @2); }
-| TABLES names { emit(parser, AST_TABLES)->symbols = $2; }
-| RING { emit(parser, AST_RING); }
-| LSYSTEM NAME { emit_named(parser, AST_LSYSTEM, $2, @2); }
-| ENDLSYSTEM { emit(parser, AST_ENDLSYSTEM); }
-| SURFACE NAME COLON expr { emit_named(parser, AST_SURFACE, $2, @2)->value = $4; }
-| ENVIRONMENT expr { emit(parser, AST_ENVIRONMENT)->value = $2; }
+| SEED expr { build_statement(parser, AST_SECTION_SEED)->value = $2; }
+| DECOMPOSITION { build_statement(parser, AST_DECOMPOSITION); }
+| DECOMPOSITION names { build_section(parser, AST_DECOMPOSITION, $2); }
+| HOMOMORPHISM { build_statement(parser, AST_HOMOMORPHISM); }
+| HOMOMORPHISM names { build_section(parser, AST_HOMOMORPHISM, $2); }
+| PRODUCTIONS { build_statement(parser, AST_PRODUCTIONS); }
+| MAXIMUM_DEPTH expr { build_statement(parser, AST_MAXIMUM_DEPTH)->value = $2; }
+| TABLE NAME COLON { build_named(parser, AST_TABLE, $2, @2); }
+| TABLES names { build_statement(parser, AST_TABLES)->symbols = $2; }
+| RING { build_statement(parser, AST_RING); }
+| LSYSTEM NAME { build_named(parser, AST_LSYSTEM, $2, @2); }
+| ENDLSYSTEM { build_statement(parser, AST_ENDLSYSTEM); }
+| SURFACE NAME COLON expr { build_named(parser, AST_SURFACE, $2, @2)->value = $4; }
+| ENVIRONMENT expr { build_statement(parser, AST_ENVIRONMENT)->value = $2; }
 | declaration
 | blocks
 ;
 
 declaration:
-  DEFINE NAME { emit_named(parser, AST_DEFINE, $2, @2)->value = ast_number(BUILD, @2, 1); }
-| DEFINE NAME expr { emit_named(parser, AST_DEFINE, $2, @2)->value = $3; }
+  DEFINE NAME { build_named(parser, AST_DEFINE, $2, @2)->value = ast_number(BUILD, @2, 1); }
+| DEFINE NAME expr { build_named(parser, AST_DEFINE, $2, @2)->value = $3; }
 | DEFINE FUNCTION LPAREN parameters RPAREN expr {
-    AstStatement *s = emit_named(parser, AST_DEFINE, $2, @2);
+    AstStatement *s = build_named(parser, AST_DEFINE, $2, @2);
     s->has_params = true;
     s->symbols = $4;
     s->value = $6;
   }
-| UNDEF NAME { emit_named(parser, AST_UNDEF, $2, @2); }
-| PARAM NAME ASSIGN expr { emit_named(parser, AST_PARAM, $2, @2)->value = $4; }
+| UNDEF NAME { build_named(parser, AST_UNDEF, $2, @2); }
+| PARAM NAME ASSIGN expr { build_named(parser, AST_PARAM, $2, @2)->value = $4; }
 | PARAM NAME ASSIGN expr IN expr RANGE expr {
-    AstStatement *s = emit_named(parser, AST_PARAM, $2, @2);
+    AstStatement *s = build_named(parser, AST_PARAM, $2, @2);
     s->value = $4;
     s->low = $6;
     s->high = $8;
   }
-| MODULES names { emit(parser, AST_MODULES)->symbols = $2; }
+| MODULES names { build_statement(parser, AST_MODULES)->symbols = $2; }
 | MODULE NAME {
-    AstStatement *s = emit(parser, AST_MODULES);
+    AstStatement *s = build_statement(parser, AST_MODULES);
     PUSH(s->symbols) = (AstSymbol){$2, @2};
   }
 | MODULE NAME LPAREN parameters RPAREN {
-    AstStatement *s = emit_named(parser, AST_MODULES, $2, @2);
+    AstStatement *s = build_named(parser, AST_MODULES, $2, @2);
     s->has_params = true;
     s->symbols = $4;
   }
 ;
 
 blocks:
-  START block { emit_named(parser, AST_BLOCK, "Start", @1)->actions = $2; }
-| START_EACH block { emit_named(parser, AST_BLOCK, "StartEach", @1)->actions = $2; }
-| END_EACH block { emit_named(parser, AST_BLOCK, "EndEach", @1)->actions = $2; }
-| FINISH block { emit_named(parser, AST_BLOCK, "End", @1)->actions = $2; }
-| ARRAYS LBRACE arrays RBRACE { emit(parser, AST_ARRAYS)->arrays = $3; }
+  START block { build_named(parser, AST_BLOCK, "Start", @1)->actions = $2; }
+| START_EACH block { build_named(parser, AST_BLOCK, "StartEach", @1)->actions = $2; }
+| END_EACH block { build_named(parser, AST_BLOCK, "EndEach", @1)->actions = $2; }
+| FINISH block { build_named(parser, AST_BLOCK, "End", @1)->actions = $2; }
+| ARRAYS LBRACE arrays RBRACE { build_statement(parser, AST_ARRAYS)->arrays = $3; }
 ;
 
 names:
@@ -201,7 +183,7 @@ parameter_list:
 
 symbols:
   %empty { $$ = (AstSymbols){0}; }
-| symbols SYMBOL { $$ = $1; PUSH($$) = (AstSymbol){$2, @2}; }
+| symbols SYMBOL { $$ = build_symbol(parser, $1, $2, @2); }
 ;
 
 // ---- productions and words ---------------------------------------------------
@@ -213,9 +195,9 @@ label:
 
 predecessor:
   word { $$ = (Predecessor){.strict = $1}; }
-| word LT word { $$ = (Predecessor){.left = unless_star($1, true), .strict = $3}; }
-| word GT word { $$ = (Predecessor){.strict = $1, .right = unless_star($3, true)}; }
-| word LT word GT word { $$ = (Predecessor){unless_star($1, true), $3, unless_star($5, true)}; }
+| word LT word { $$ = (Predecessor){.left = build_unless_star($1, true), .strict = $3}; }
+| word GT word { $$ = (Predecessor){.strict = $1, .right = build_unless_star($3, true)}; }
+| word LT word GT word { $$ = (Predecessor){build_unless_star($1, true), $3, build_unless_star($5, true)}; }
 ;
 
 guard:
@@ -241,8 +223,8 @@ weight:
 ;
 
 words:
-  word { $$ = (AstWords){0}; PUSH($$) = unless_star($1, false); }
-| words COMMA word { $$ = $1; PUSH($$) = unless_star($3, false); }
+  word { $$ = (AstWords){0}; PUSH($$) = build_unless_star($1, false); }
+| words COMMA word { $$ = $1; PUSH($$) = build_unless_star($3, false); }
 ;
 
 word:
@@ -267,39 +249,21 @@ block:
 
 actions:
   %empty { $$ = (AstActions){0}; }
-| actions body { $$ = append_actions(parser, $1, $2); }
+| actions body { $$ = build_append_actions(parser, $1, $2); }
 ;
 
 body:
   block
 | SEMICOLON { $$ = (AstActions){0}; }
-| target ASSIGN expr SEMICOLON {
-    AstAction *assign = action(parser, AST_ASSIGN, @$, $3, (AstActions){0});
-    assign->target = $1;
-    $$ = (AstActions){0};
-    PUSH($$) = assign;
+| NAME ASSIGN expr SEMICOLON { $$ = build_assignment(parser, @$, ast_name(BUILD, @1, $1), $3); }
+| NAME indices ASSIGN expr SEMICOLON {
+    $$ = build_assignment(parser, @$, ast_index(BUILD, span_join(@1, @2), @1, $1, $2), $4);
   }
-| call SEMICOLON {
-    $$ = (AstActions){0};
-    PUSH($$) = action(parser, AST_EVALUATE, @$, $1, (AstActions){0});
-  }
-| IF LPAREN expr RPAREN body %prec THEN { $$ = (AstActions){0}; PUSH($$) = action(parser, AST_IF, @$, $3, $5); }
-| IF LPAREN expr RPAREN body ELSE body {
-    AstAction *choice = action(parser, AST_IF, @$, $3, $5);
-    choice->otherwise = $7;
-    $$ = (AstActions){0};
-    PUSH($$) = choice;
-  }
-| WHILE LPAREN expr RPAREN body { $$ = (AstActions){0}; PUSH($$) = action(parser, AST_WHILE, @$, $3, $5); }
-| DO body WHILE LPAREN expr RPAREN SEMICOLON {
-    $$ = (AstActions){0};
-    PUSH($$) = action(parser, AST_DO, @$, $5, $2);
-  }
-;
-
-target:
-  NAME { $$ = ast_name(BUILD, @1, $1); }
-| NAME indices { $$ = ast_index(BUILD, @$, @1, $1, $2); }
+| expr SEMICOLON { $$ = build_evaluation(parser, @$, $1); }
+| IF LPAREN expr RPAREN body %prec THEN { $$ = build_if(parser, @$, $3, $5, (AstActions){0}); }
+| IF LPAREN expr RPAREN body ELSE body { $$ = build_if(parser, @$, $3, $5, $7); }
+| WHILE LPAREN expr RPAREN body { $$ = build_loop(parser, AST_WHILE, @$, $3, $5); }
+| DO body WHILE LPAREN expr RPAREN SEMICOLON { $$ = build_loop(parser, AST_DO, @$, $5, $2); }
 ;
 
 arrays:
@@ -326,7 +290,7 @@ declarator:
 
 values:
   value
-| values COMMA value { $$ = append(parser, $1, $3); }
+| values COMMA value { $$ = build_append(parser, $1, $3); }
 ;
 
 value:
@@ -339,9 +303,9 @@ value:
 expr:
   NUMBER { $$ = ast_number(BUILD, @1, $1); }
 | STRING { $$ = ast_string(BUILD, @1, $1); }
-| NAME { $$ = ast_name(BUILD, @1, $1); }
-| NAME indices { $$ = ast_index(BUILD, @$, @1, $1, $2); }
-| call
+| NAME %prec VALUE { $$ = ast_name(BUILD, @1, $1); }
+| NAME indices %prec VALUE { $$ = ast_index(BUILD, @$, @1, $1, $2); }
+| NAME LPAREN arguments RPAREN { $$ = ast_call(BUILD, @$, @1, $1, $3); }
 | LPAREN expr RPAREN { $$ = ast_parenthesized($2, @$); }
 | MINUS expr %prec UNARY { $$ = ast_unary(BUILD, @$, OP_NEG, $2); }
 | NOT expr { $$ = ast_unary(BUILD, @$, OP_NOT, $2); }
@@ -360,11 +324,8 @@ expr:
 | expr SLASH expr { $$ = ast_binary(BUILD, OP_DIV, $1, $3); }
 | expr PERCENT expr { $$ = ast_binary(BUILD, OP_MOD, $1, $3); }
 | expr CARET expr { $$ = ast_binary(BUILD, OP_POW, $1, $3); }
+| expr LEFT_CARET expr { $$ = ast_binary(BUILD, OP_POW, $1, $3); }
 | expr QUESTION expr COLON expr { $$ = ast_choice(BUILD, $1, $3, $5); }
-;
-
-call:
-  NAME LPAREN arguments RPAREN { $$ = ast_call(BUILD, @$, @1, $1, $3); }
 ;
 
 arguments:
@@ -373,8 +334,14 @@ arguments:
 ;
 
 list:
-  expr { $$ = (AstExprs){0}; PUSH($$) = $1; }
-| list COMMA expr { $$ = $1; PUSH($$) = $3; }
+  argument { $$ = (AstExprs){0}; PUSH($$) = $1; }
+| list COMMA argument { $$ = $1; PUSH($$) = $3; }
+;
+
+argument:
+  expr
+| AND NAME { $$ = build_reference(parser, @$, ast_name(BUILD, @2, $2)); }
+| AND NAME indices { $$ = build_reference(parser, @$, ast_index(BUILD, span_join(@2, @3), @2, $2, $3)); }
 ;
 
 indices:
@@ -446,69 +413,4 @@ static int yyreport_syntax_error(const yypcontext_t *context, Parser *parser) {
 
 const char *parser_token_name(int token) {
   return yysymbol_name(YYTRANSLATE(token));
-}
-
-static AstStatement *emit(Parser *parser, AstStatementKind kind) {
-  const Statement *from = parser->statement;
-  AstStatement *s = VEC_PUSH(BUILD.arena, parser->out);
-  s->kind = kind;
-  s->span = statement_span(from, from->begin, from->end);
-  return s;
-}
-
-static AstStatement *emit_named(Parser *parser, AstStatementKind kind, const char *name, Span span) {
-  AstStatement *s = emit(parser, kind);
-  s->name = name;
-  s->name_span = span;
-  return s;
-}
-
-// `decomposition: warnings`, `homomorphism: no warnings`.
-static void section(Parser *parser, AstStatementKind kind, AstSymbols options) {
-  emit(parser, kind);
-  bool no = strcmp(options.at[0].name, "no") == 0;
-  if (options.count == 1u + no && strcmp(options.at[no].name, "warnings") == 0) {
-    if (!no) emit(parser, AST_WARNINGS);
-    return;
-  }
-  diag_error(parser->diag, options.at[0].span, "unknown option `%s`; expected `warnings` or `no warnings`",
-             options.at[0].name);
-}
-
-// A word with `*` alone is the empty word; as a context it is none.
-static AstWord unless_star(AstWord word, bool context) {
-  bool star = word.modules.count == 1 && !word.modules.at[0].parens && strcmp(word.modules.at[0].symbol, "*") == 0;
-  if (!star && (!context || word.modules.count)) return word;
-  return (AstWord){.span = context ? (Span){0, 0} : word.span};
-}
-
-static AstProduction *production(Parser *parser, Predecessor predecessor, Guard guard) {
-  AstProduction *p = ARENA_NEW(BUILD.arena, AstProduction);
-  p->left = predecessor.left;
-  p->strict = predecessor.strict;
-  p->right = predecessor.right;
-  p->before = guard.before;
-  p->after = guard.after;
-  p->has_before = guard.has_before;
-  p->has_after = guard.has_after;
-  p->guard = guard.condition;
-  if (p->strict.modules.count == 0)
-    diag_error(parser->diag, p->strict.span, "the predecessor is empty; a production rewrites a module");
-  return p;
-}
-
-static AstAction *action(Parser *parser, AstActionKind kind, Span span, AstExpr *value, AstActions then) {
-  AstAction *a = ARENA_NEW(BUILD.arena, AstAction);
-  *a = (AstAction){.kind = kind, .span = span, .value = value, .then = then};
-  return a;
-}
-
-static AstExprs append(Parser *parser, AstExprs list, AstExprs more) {
-  for (size_t i = 0; i < more.count; i++) PUSH(list) = more.at[i];
-  return list;
-}
-
-static AstActions append_actions(Parser *parser, AstActions list, AstActions more) {
-  for (size_t i = 0; i < more.count; i++) PUSH(list) = more.at[i];
-  return list;
 }

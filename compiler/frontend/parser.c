@@ -4,11 +4,11 @@
 #include "frontend/guess.h"
 #include "frontend/parse.tab.h"
 
-void parser_init(Parser *parser, Arena *arena, Diag *diag, const Sources *sources) {
-  *parser = (Parser){.build = {arena, diag}, .diag = diag, .sources = sources};
+void parser_init(Parser *parser, Arena *arena, Diag *diag, const Sources *sources, const Notation *notation) {
+  *parser = (Parser){.build = {arena, diag}, .notation = notation, .diag = diag, .sources = sources};
   parser->symbols = trie_create(arena);
   parser->declared = trie_create(arena);
-  parser->scanner = scanner_create(arena, diag, parser->symbols, parser->declared);
+  parser->scanner = scanner_create(arena, diag, notation, parser->symbols, parser->declared);
 }
 
 void parser_finish(Parser *parser) {

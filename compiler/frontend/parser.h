@@ -10,6 +10,7 @@
 
 typedef struct Parser {
   AstBuilder build;
+  const Notation *notation;
   Diag *diag;
   const Sources *sources;
   Trie *symbols;   // the interner
@@ -20,7 +21,7 @@ typedef struct Parser {
   AstExpr *condition;          // of an #if
 } Parser;
 
-void parser_init(Parser *parser, Arena *arena, Diag *diag, const Sources *sources);
+void parser_init(Parser *parser, Arena *arena, Diag *diag, const Sources *sources, const Notation *notation);
 void parser_finish(Parser *parser);
 
 // Parses a statement into statement->ast before its turn has come.

@@ -46,7 +46,7 @@ static void add(Pieces *pieces, ScanMode mode, int token, const char *begin, con
 static void add_production(Pieces *pieces, const Trie *declared) {
   const Statement *s = pieces->s;
   const char *at = s->begin, *colon = s->colons[0];
-  size_t label = colon && !s->first.keyword ? statement_label(at, colon) : 0;
+  size_t label = s->notation->labels && colon && !s->first.keyword ? statement_label(at, colon) : 0;
   if (label && !trie_find(declared, at, label)) {
     add(pieces, SCAN_TOKEN, TOK_LABEL, at, at + label);  // its colon is no token
     at = colon + 1;

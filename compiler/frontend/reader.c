@@ -2,6 +2,7 @@
 #include "frontend/reader.h"
 
 #include "frontend/condition.h"
+#include "frontend/macro.h"
 #include "frontend/parse.tab.h"
 #include "support/utf8.h"
 
@@ -34,12 +35,13 @@ struct Reader {
   Input *input;
   unsigned depth, inclusions;
   Defines *defines;
+  Macros *macros;  // NULL: #define does not replace text
 };
 
 static void push_input(Reader *reader, const SourceFile *file) {
   Input *input = ARENA_NEW(reader->arena, Input);
   input->from = reader->input;
-  splitter_init(&input->splitter, reader->arena, reader->diag, file);
+  splitter_init(&input->splitter, reader->arena, reader->diag, reader->parser->notation, file);
   if (stat(file->path, &input->identity) != 0) input->identity = (struct stat){0};
   reader->input = input;
   reader->depth++;
@@ -50,6 +52,7 @@ Reader *reader_create(Parser *parser, Sources *sources, const SourceFile *file, 
   Reader *reader = ARENA_NEW(arena, Reader);
   *reader = (Reader){.arena = arena, .parser = parser, .diag = parser->diag, .sources = sources, .options = options};
   reader->defines = trie_create(arena);
+  if (parser->notation->macros) reader->macros = macros_create(arena, sources, parser->diag);
   push_input(reader, file);
   return reader;
 }
@@ -63,6 +66,12 @@ static bool active(const Reader *reader) {
 
 static Span keyword_span(const Statement *s) {
   return statement_span(s, s->begin, s->first.end);
+}
+
+// Whether the condition of an #if or #elif holds.
+static bool holds(Reader *reader, Statement *s) {
+  if (reader->macros && !macros_expand(reader->macros, s)) return false;
+  return condition_holds(reader->parser, reader->defines, s);
 }
 
 // The name behind a directive; NULL: there is none.
@@ -83,8 +92,7 @@ static void open_group(Reader *reader, Statement *s) {
   Group group = {.span = keyword_span(s), .outer = active(reader)};
   if (group.outer) {
     int token = s->first.keyword->token;
-    group.active = token == TOK_HASH_IF ? condition_holds(reader->parser, reader->defines, s)
-                                        : is_defined(reader, s) == (token == TOK_IFDEF);
+    group.active = token == TOK_HASH_IF ? holds(reader, s) : is_defined(reader, s) == (token == TOK_IFDEF);
   }
   group.taken = group.active;
   *VEC_PUSH(reader->arena, &reader->input->groups) = group;
@@ -108,8 +116,7 @@ static void change_group(Reader *reader, Statement *s) {
     diag_note(reader->diag, group->span, "the `#if` is here");
   }
   group->has_else |= token == TOK_HASH_ELSE;
-  group->active =
-    group->outer && !group->taken && (token == TOK_HASH_ELSE || condition_holds(reader->parser, reader->defines, s));
+  group->active = group->outer && !group->taken && (token == TOK_HASH_ELSE || holds(reader, s));
   group->taken |= group->active;
 }
 
@@ -209,7 +216,12 @@ static void pop_input(Reader *reader) {
 
 static void record_define(Reader *reader, Statement *s) {
   const char *name = directive_name(s, reader->arena);
-  if (name) *trie_at(reader->defines, name, strlen(name)) = s->first.keyword->token == TOK_DEFINE ? s : NULL;
+  bool define = s->first.keyword->token == TOK_DEFINE;
+  if (name) *trie_at(reader->defines, name, strlen(name)) = define ? s : NULL;
+  if (reader->macros && define)
+    macros_define(reader->macros, s);
+  else if (reader->macros && name)
+    macros_undefine(reader->macros, name);
 }
 
 Statement *reader_next(Reader *reader) {
@@ -226,8 +238,11 @@ Statement *reader_next(Reader *reader) {
       conditional(reader, s);
     } else if (keyword && keyword->token == TOK_INCLUDE) {
       include(reader, s);
-    } else {
-      if (keyword && (keyword->token == TOK_DEFINE || keyword->token == TOK_UNDEF)) record_define(reader, s);
+    } else if (keyword && (keyword->token == TOK_DEFINE || keyword->token == TOK_UNDEF)) {
+      record_define(reader, s);
+      if (!reader->macros) return s;
+      s = ARENA_NEW(reader->arena, Statement);
+    } else if (!reader->macros || macros_expand(reader->macros, s)) {
       return s;
     }
   }

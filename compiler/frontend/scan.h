@@ -6,6 +6,7 @@
 #ifndef LSYSC_FRONTEND_SCAN_H
 #define LSYSC_FRONTEND_SCAN_H
 
+#include "frontend/notation.h"
 #include "support/diag.h"
 #include "support/source.h"
 #include "support/trie.h"
@@ -37,7 +38,7 @@ typedef struct Scanner Scanner;
 union SYNTAX_STYPE;
 
 // symbols: the interner; declared: names that are symbols, besides the turtle's own (`@Gs`).
-Scanner *scanner_create(Arena *arena, Diag *diag, Trie *symbols, Trie *declared);
+Scanner *scanner_create(Arena *arena, Diag *diag, const Notation *notation, Trie *symbols, Trie *declared);
 void scanner_destroy(Scanner *scanner);
 
 // Tokens come from these pieces next. The pieces stay the caller's.

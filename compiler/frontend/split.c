@@ -21,8 +21,8 @@ typedef struct Walk {
   bool directive, done;
 } Walk;
 
-void splitter_init(Splitter *splitter, Arena *arena, Diag *diag, const SourceFile *file) {
-  *splitter = (Splitter){arena, diag, file, file->text, file->text + file->length, {0}};
+void splitter_init(Splitter *splitter, Arena *arena, Diag *diag, const Notation *notation, const SourceFile *file) {
+  *splitter = (Splitter){arena, diag, notation, file, file->text, file->text + file->length, {0}};
 }
 
 // ---- white space -----------------------------------------------------------
@@ -63,19 +63,19 @@ static size_t minus_length(const char *at, const char *end) {
 }
 
 // Length of the arrow at `at`, the longer one if there are two; 0: none.
-static size_t arrow_length(const char *at, const char *end) {
+static size_t arrow_length(const char *at, const char *end, const Notation *notation) {
   size_t length;
   if ((length = utf8_starts(at, end, "→")) || (length = utf8_starts(at, end, "⟶"))) return length;
   size_t one = minus_length(at, end);
   if (!one) return 0;
   size_t two = one + minus_length(at + one, end);
   if (two > one && utf8_starts(at + two, end, ">")) return two + 1;
-  return utf8_starts(at + one, end, ">") ? one + 1 : 0;
+  return notation->short_arrows && utf8_starts(at + one, end, ">") ? one + 1 : 0;
 }
 
-static bool line_holds_arrow(const char *at, const char *end) {
+static bool line_holds_arrow(const char *at, const char *end, const Notation *notation) {
   while (at < end && *at != '\n') {
-    if (arrow_length(at, end)) return true;
+    if (arrow_length(at, end, notation)) return true;
     const char *behind = utf8_starts(at, end, "/*") ? comment_end(at, end) : NULL;
     at = behind ? behind : at + 1;
   }
@@ -87,8 +87,8 @@ static bool is_name_byte(char c) {
 }
 
 // Does this line begin with a keyword that is no letter of a word or an expression?
-static bool begins_statement(const char *at, const char *end) {
-  KeywordMatch match = keyword_match(at, end);
+static bool begins_statement(const char *at, const char *end, const Notation *notation) {
+  KeywordMatch match = keyword_match(at, end, notation);
   if (!match.keyword || match.end - at <= 2) return false;
   if (match.colon || *at == '#') return true;
   const char *next = skip_space(match.end, end, false);
@@ -127,17 +127,22 @@ static void go_on(Walk *w, const char *line, const char *held) {
 
 static void newline(Walk *w) {
   const Splitter *in = w->in;
+  const Notation *notation = in->notation;
   const char *next = skip_space(w->at, w->end, true);
+  if (notation->tabs_join && utf8_starts(w->at + 1, w->end, "\t")) {
+    go_on(w, w->at + 1, NULL);
+    return;
+  }
   if (in->open.count) {
     const char *innermost = in->open.at[in->open.count - 1];
-    if (next < w->end && !begins_statement(next, w->end)) {
+    if (next < w->end && !begins_statement(next, w->end, notation)) {
       go_on(w, next, innermost);
       return;
     }
     note_unclosed(w, innermost, next);
   } else if (next < w->end) {
     bool bare_arrow = w->s->arrow && w->solid == w->s->arrow_end;
-    if (bare_arrow && !begins_statement(next, w->end) && !line_holds_arrow(next, w->end)) {
+    if (bare_arrow && !begins_statement(next, w->end, notation) && !line_holds_arrow(next, w->end, notation)) {
       go_on(w, next, NULL);
       return;
     }
@@ -204,7 +209,7 @@ static void colon(Walk *w) {
       w->expression = true;
     } else if (!s->colons[0]) {
       s->colons[0] = w->at;
-      w->expression = !statement_label(s->begin, w->at);
+      w->expression = !w->in->notation->labels || !statement_label(s->begin, w->at);
     } else if (!s->colons[1]) {
       s->colons[1] = w->at;
       w->expression = true;
@@ -246,7 +251,7 @@ static void step(Walk *w) {
     newline(w);
   } else if (utf8_starts(w->at, w->end, "/*")) {
     comment(w);
-  } else if (w->braces && utf8_starts(w->at, w->end, "//")) {
+  } else if (w->braces && !w->in->notation->macros && utf8_starts(w->at, w->end, "//")) {
     w->at = line_end(w->at, w->end);
   } else if (c == '"' && (w->expression || w->in->open.count)) {
     string(w);
@@ -256,16 +261,20 @@ static void step(Walk *w) {
     closing(w);
   } else if (c == ':') {
     colon(w);
-  } else if (!w->directive && (length = arrow_length(w->at, w->end)) > 0) {
+  } else if (!w->directive && (length = arrow_length(w->at, w->end, w->in->notation)) > 0) {
     arrow(w, length);
   } else if (c != '\\' || !joined(w)) {
     w->solid = ++w->at;
   }
 }
 
-// A line that is not looked into: #include's.
+// A line that is not looked into: #include's, and every directive of a notation with macros.
 static void walk_line(Walk *w) {
   while (w->at < w->end && *w->at != '\n') {
+    if (utf8_starts(w->at, w->end, "\\\n")) {
+      w->at += 2;
+      continue;
+    }
     if (utf8_starts(w->at, w->end, "/*")) {
       comment(w);
       continue;
@@ -278,8 +287,8 @@ static void walk_line(Walk *w) {
 
 // Reads the statement that begins at splitter->at.
 static void read_statement(Splitter *splitter, Statement *s) {
-  *s = (Statement){.file = splitter->file, .begin = splitter->at};
-  s->first = keyword_match(splitter->at, splitter->end);
+  *s = (Statement){.file = splitter->file, .begin = splitter->at, .notation = splitter->notation};
+  s->first = keyword_match(splitter->at, splitter->end, splitter->notation);
   const Keyword *keyword = s->first.keyword;
   Walk w = {.in = splitter, .s = s, .at = splitter->at, .end = splitter->end};
   if (keyword) {
@@ -291,7 +300,7 @@ static void read_statement(Splitter *splitter, Statement *s) {
   w.line = s->begin;
   w.solid = w.line_solid = w.at;
   splitter->open.count = 0;
-  if (keyword && keyword->rest == SCAN_LINE) {
+  if (keyword && (keyword->rest == SCAN_LINE || (w.directive && splitter->notation->macros))) {
     walk_line(&w);
   } else {
     while (!w.done && w.at < w.end) step(&w);
@@ -327,7 +336,7 @@ bool splitter_next_conditional(Splitter *splitter, Statement *statement) {
     splitter->at = skip_space(splitter->at, splitter->end, true);
     skip_endless_comment(splitter);
     if (splitter->at == splitter->end) return false;
-    const Keyword *keyword = keyword_match(splitter->at, splitter->end).keyword;
+    const Keyword *keyword = keyword_match(splitter->at, splitter->end, splitter->notation).keyword;
     if (*splitter->at == '#' && keyword && keyword_is_conditional(keyword)) {
       read_statement(splitter, statement);
       return true;

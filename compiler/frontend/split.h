@@ -21,17 +21,19 @@ typedef struct Statement {
   const char *unclosed_before;    // the line that showed it; NULL: the end of the file, or its own line
   bool parsed;                    // ahead of the others; `ast` holds what it means
   AstStatements ast;
+  const Notation *notation;
 } Statement;
 
 typedef struct Splitter {
   Arena *arena;
   Diag *diag;
+  const Notation *notation;
   const SourceFile *file;
   const char *at, *end;    // what is left
   VEC(const char *) open;  // the `(` and `{` that are not closed yet, outermost first
 } Splitter;
 
-void splitter_init(Splitter *splitter, Arena *arena, Diag *diag, const SourceFile *file);
+void splitter_init(Splitter *splitter, Arena *arena, Diag *diag, const Notation *notation, const SourceFile *file);
 
 // The next statement; false at the end of the file.
 bool splitter_next(Splitter *splitter, Statement *statement);

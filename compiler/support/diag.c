@@ -167,8 +167,11 @@ static void report(Diag *diag, bool error, const char *name, Span span, const ch
     return;
   }
   diag->shown = true;
+  Span macro;
+  span = sources_origin(diag->sources, span, &macro);
   show_includes(diag, span);
   show(diag, error ? "error" : "warning", error ? "\033[31m" : "\033[35m", span, name, format, args);
+  if (macro.end) diag_note(diag, macro, "from this macro");
 }
 
 void diag_error(Diag *diag, Span span, const char *format, ...) {
@@ -191,7 +194,7 @@ void diag_note(Diag *diag, Span span, const char *format, ...) {
   if (!diag->shown) return;
   va_list args;
   va_start(args, format);
-  show(diag, "note", "\033[36m", span, NULL, format, args);
+  show(diag, "note", "\033[36m", sources_origin(diag->sources, span, NULL), NULL, format, args);
   va_end(args);
 }
 
@@ -200,7 +203,7 @@ void diag_remark(Diag *diag, Span span, const char *format, ...) {
   if (!diag->shown) return;
   va_list args;
   va_start(args, format);
-  show(diag, "note", "\033[36m", span, NULL, format, args);
+  show(diag, "note", "\033[36m", sources_origin(diag->sources, span, NULL), NULL, format, args);
   va_end(args);
 }
 
@@ -216,6 +219,7 @@ void diag_hint(Diag *diag, const char *format, ...) {
 
 void diag_fix(Diag *diag, Span span, const char *text) {
   if (!diag->shown) return;
+  span = sources_origin(diag->sources, span, NULL);
   const Excerpt *e = &diag->excerpt;
   const char *at = e->file && span.begin >= e->file->base ? e->file->text + (span.begin - e->file->base) : NULL;
   if (!at || at < e->from || at > e->to) {

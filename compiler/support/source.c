@@ -28,9 +28,20 @@ Sources *sources_create(Arena *arena) {
 const SourceFile *sources_add(Sources *sources, const char *path, const char *text, size_t length, Span included_from) {
   if (length >= MOST_BYTES - sources->next) return NULL;
   SourceFile *file = ARENA_NEW(sources->arena, SourceFile);
-  *file = (SourceFile){path, text, length, sources->next, included_from};
+  *file = (SourceFile){path, text, length, sources->next, included_from, NULL, 0};
   *VEC_PUSH(sources->arena, &sources->files) = file;
   sources->next += (uint32_t)length + 1;  // the end of a file is a place of its own
+  return file;
+}
+
+const SourceFile *sources_add_made(Sources *sources, const char *text, size_t length, const Origin *origins,
+                                   size_t count) {
+  const SourceFile *from = sources_file(sources, origins->from.begin);
+  const SourceFile *file = sources_add(sources, from->path, text, length, from->included_from);
+  if (!file) return NULL;
+  SourceFile *made = sources->files.at[sources->files.count - 1];
+  made->origins = origins;
+  made->origin_count = count;
   return file;
 }
 
@@ -90,7 +101,35 @@ const SourceFile *sources_file(const Sources *sources, uint32_t offset) {
   return offset && low ? sources->files.at[low - 1] : NULL;
 }
 
+// The stretch that a place of a made text lies in.
+static const Origin *origin_at(const SourceFile *file, uint32_t offset) {
+  size_t low = 0, high = file->origin_count;  // the last that begins at or before the place
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (file->origins[middle].at <= offset - file->base)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return &file->origins[low ? low - 1 : 0];
+}
+
+Span sources_origin(const Sources *sources, Span span, Span *macro) {
+  if (macro) *macro = (Span){0, 0};
+  for (const SourceFile *file; (file = sources_file(sources, span.begin)) != NULL && file->origins;) {
+    const Origin *first = origin_at(file, span.begin);
+    const Origin *last = origin_at(file, span.end > span.begin ? span.end - 1 : span.begin);
+    uint32_t begin = first->from.begin, end = last->from.end;
+    if (first->macro.end == 0) begin += span.begin - file->base - first->at;
+    if (last->macro.end == 0) end = last->from.begin + (span.end - file->base - last->at);
+    if (macro && first->macro.end) *macro = first->macro;
+    span = (Span){begin, end > begin ? end : begin};
+  }
+  return span;
+}
+
 Place sources_place(const Sources *sources, uint32_t offset) {
+  offset = sources_origin(sources, (Span){offset, offset}, NULL).begin;
   Place place = {sources_file(sources, offset), 1, 1};
   if (!place.file) return place;
   const char *text = place.file->text, *end = text + (offset - place.file->base), *line = text;
