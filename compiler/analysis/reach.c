@@ -78,7 +78,8 @@ static bool is_query(const Kind *kind) {
 }
 
 // A fixed kind is one without arguments from which neither a draw nor state
-// nor a neighbour is reached. Where the place in the word decides what
+// nor a neighbour is reached, nor a kind whose homomorphism draws: its modules
+// need keys. Where the place in the word decides what
 // happens to a module (cut, sub-L-systems), none is.
 void find_fixed(Analysis *analysis) {
   const Program *program = analysis->program;
@@ -90,7 +91,7 @@ void find_fixed(Analysis *analysis) {
   spread(analysis, analysis->rewrites, varies);
   for (size_t k = 0; k < count; k++) {
     KindFacts *kind = &analysis->facts->kinds[k];
-    kind->fixed = program->kinds[k].arity == 0 && !varies[k];
+    kind->fixed = program->kinds[k].arity == 0 && !varies[k] && !kind->key;
     kind->terminal = analysis->rewrites[k].count == 0 && !is_query(&program->kinds[k]) && k != program->cut;
   }
   // The second and later modules of a pseudo-production's predecessor are replaced too.

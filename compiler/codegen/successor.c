@@ -11,7 +11,9 @@ void successor_emit(Rewrite *rewrite, const Production *production, Handle handl
     uint32_t arity = ir->program->kinds[module->kind].arity;
     LLVMValueRef *args = arena_array(ir->arena, arity, sizeof *args);
     for (uint32_t a = 0; a < arity; a++) args[a] = expr_value(&scope, module->args[a]);
-    LLVMValueRef key = ir->facts->kinds[module->kind].key ? key_split(ir, scope.key, i) : NULL;
+    LLVMValueRef key = NULL;
+    // An image of a module without a key never draws, whatever its kind does in the derivation.
+    if (ir->facts->kinds[module->kind].key) key = scope.key ? key_split(ir, scope.key, i) : ir_int(ir, 0);
     Derived derived = {module->kind, args, key, i + 1 == word->count};
     handle(rewrite, &derived, steps);
     rewrite->scope = scope;
