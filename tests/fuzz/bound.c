@@ -39,12 +39,20 @@ static double longest_successor(Bound *bound, int kind, RuleSection section, int
   return least;
 }
 
-// From the lengths without decomposition to those with it, depth by depth.
-static void decompose(Bound *bound) {
+// From the lengths without decomposition (or homomorphism) to those with it, depth by depth.
+static void decompose(Bound *bound, RuleSection section) {
   for (int depth = 1; depth <= bound->grammar->depth; depth++)
     for (int kind = 0; kind < bound->kind_count; kind++)
-      bound->longest[kind][depth] =
-        longest_successor(bound, kind, RULE_DECOMPOSITION, depth - 1, bound->longest[kind][0]);
+      bound->longest[kind][depth] = longest_successor(bound, kind, section, depth - 1, bound->longest[kind][0]);
+}
+
+static void step(Bound *bound) {
+  double next[MOST_KINDS];
+  decompose(bound, RULE_DECOMPOSITION);
+  int depth = bound->grammar->depth;
+  for (int kind = 0; kind < bound->kind_count; kind++)
+    next[kind] = longest_successor(bound, kind, RULE_DERIVATION, depth, bound->longest[kind][depth]);
+  for (int kind = 0; kind < bound->kind_count; kind++) bound->longest[kind][0] = next[kind];
 }
 
 bool fuzz_too_long(const FuzzGrammar *grammar, double longest) {
@@ -54,14 +62,12 @@ bool fuzz_too_long(const FuzzGrammar *grammar, double longest) {
     find_kinds(&bound, &grammar->rules.at[i].strict);
     find_kinds(&bound, &grammar->rules.at[i].successor);
   }
+  // Steps are counted from the word's end: what the homomorphism makes of a module, of its successor, and so on.
   for (int kind = 0; kind < bound.kind_count; kind++) bound.longest[kind][0] = 1;
-  for (int step = 0; step < grammar->steps; step++) {
-    decompose(&bound);
-    double next[MOST_KINDS];
-    for (int kind = 0; kind < bound.kind_count; kind++)
-      next[kind] =
-        longest_successor(&bound, kind, RULE_DERIVATION, grammar->depth, bound.longest[kind][grammar->depth]);
-    for (int kind = 0; kind < bound.kind_count; kind++) bound.longest[kind][0] = next[kind];
+  decompose(&bound, RULE_HOMOMORPHISM);
+  for (int kind = 0; kind < bound.kind_count; kind++) bound.longest[kind][0] = bound.longest[kind][grammar->depth];
+  for (int i = 0; i < grammar->steps; i++) {
+    step(&bound);
     if (length_of(&bound, &grammar->axiom, 0) > longest) return true;
   }
   return false;

@@ -8,6 +8,7 @@
 #include "core/message.h"
 #include "frontend/fmt.h"
 #include "interp/interp.h"
+#include "sinks/homomorphism.h"
 #include "support/diag.h"
 
 #include <fcntl.h>
@@ -27,6 +28,7 @@ typedef struct Collector {
   VEC(uint8_t) sym;
   VEC(double) arg;
   unsigned width;
+  Lengths lengths;
 } Collector;
 
 static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
@@ -47,19 +49,35 @@ static bool end(LsysSink *sink) {
   return true;
 }
 
-static bool derive(const LsysGrammar *grammar, Collector *into) {
-  LsysOptions options = {0};
-  LsysMemory memory = {.limit = UINT64_C(1) << 31};
+static void destroy(LsysSink *sink) {
+  (void)sink;
+}
+
+static Collector collector(Arena *arena) {
+  return (Collector){.sink = {1, begin, take, end, end, destroy}, .arena = arena};
+}
+
+static bool derive_into(const LsysGrammar *grammar, const LsysOptions *options, LsysMemory *memory, LsysSink *sink) {
   LsysDerivation derivation;
-  bool well = lsys_derivation_open(&derivation, grammar, &options, &memory);
+  bool well = lsys_derivation_open(&derivation, grammar, options, memory);
   for (uint32_t axiom = 0; well && axiom < grammar->axiom_count; axiom++)
-    well = lsys_derivation_run(&derivation, axiom, &into->sink, 0);
+    well = lsys_derivation_run(&derivation, axiom, sink, 0);
   lsys_derivation_close(&derivation);
   return well;
 }
 
-static Collector collector(Arena *arena) {
-  return (Collector){.sink = {.passes = 1, .begin = begin, .take = take, .end = end, .finish = end}, .arena = arena};
+// The word and, behind it, what the homomorphism makes of it.
+static bool derive(const LsysGrammar *grammar, Collector *into) {
+  LsysOptions options = {0};
+  LsysMemory memory = {.limit = UINT64_C(1) << 31};
+  if (!derive_into(grammar, &options, &memory, &into->sink)) return false;
+  into->lengths.word = into->lengths.figure = into->sym.count / into->width;
+  if (!grammar->homomorphism) return true;
+  LsysSink *figure = lsys_sink_homomorphism(&(LsysSinkContext){grammar, &options, &memory, NULL}, &into->sink);
+  bool well = figure && derive_into(grammar, &options, &memory, figure);
+  if (figure) figure->destroy(figure);
+  into->lengths.figure = into->sym.count / into->width - into->lengths.word;
+  return well;
 }
 
 // Every nan is the same one.
@@ -168,11 +186,12 @@ static Verdict compare_executables(const Engines *engines, Arena *arena, const c
   if (!out) return VERDICT_DIFFER;
   fwrite(text, 1, length, out);
   fclose(out);
-  const char *script = "\"$L\" interp $G.lsys -w --hash >$G.h && \"$L\" interp $G.lsys -w >$G.w || exit 1\n"
-                       "for o in 0 2; do\n"
-                       "  \"$L\" -w -O$o -o $G.x $G.lsys || exit 1\n"
-                       "  $G.x --hash | cmp - $G.h && $G.x | cmp - $G.w || exit 1\n"
-                       "done\n";
+  const char *script =
+    "\"$L\" interp $G.lsys -w --hash >$G.h && \"$L\" interp $G.lsys -w --homomorphism >$G.w || exit 1\n"
+    "for o in 0 2; do\n"
+    "  \"$L\" -w -O$o -o $G.x $G.lsys || exit 1\n"
+    "  $G.x --hash | cmp - $G.h && $G.x --homomorphism | cmp - $G.w || exit 1\n"
+    "done\n";
   char *command = arena_printf(arena, "L='%s' G='%s'\n%s", engines->lsysc, path, script);
   bool well = system(command) == 0;
   for (size_t i = 0; i < 4; i++) {
@@ -185,7 +204,7 @@ static Verdict compare_executables(const Engines *engines, Arena *arena, const c
 
 // ---- all together ---------------------------------------------------------------
 
-Verdict engines_compare(const Engines *engines, const FuzzGrammar *grammar, bool executables, uint64_t *modules) {
+Verdict engines_compare(const Engines *engines, const FuzzGrammar *grammar, bool executables, Lengths *lengths) {
   Arena *arena = arena_create();
   char *text;
   size_t length;
@@ -197,19 +216,20 @@ Verdict engines_compare(const Engines *engines, const FuzzGrammar *grammar, bool
   Verdict verdict = VERDICT_AGREE;
   if (!compile(&c, arena, text, length, engines->nowhere))
     verdict = VERDICT_REFUSED;
-  else if (!interpret(&c, &word) || !survives_printing(&c, &word, engines->nowhere))
-    verdict = VERDICT_DIFFER;
   else
-    verdict = compare_jit(engines, &c, &word);
+    verdict = interpret(&c, &word) ? VERDICT_AGREE : VERDICT_DIFFER;
+  if (lengths) *lengths = word.lengths;
+  if (verdict == VERDICT_AGREE && !survives_printing(&c, &word, engines->nowhere)) verdict = VERDICT_DIFFER;
+  if (verdict == VERDICT_AGREE) verdict = compare_jit(engines, &c, &word);
   if (verdict == VERDICT_AGREE && executables && engines->lsysc)
     verdict = compare_executables(engines, arena, text, length);
-  if (modules) *modules = word.width ? word.sym.count / word.width : 0;
   free(text);
   arena_destroy(arena);
   return verdict;
 }
 
-Verdict engines_compare_apart(const Engines *engines, const FuzzGrammar *grammar, bool executables, bool loud) {
+Verdict engines_compare_apart(const Engines *engines, const FuzzGrammar *grammar, bool executables, Lengths *lengths,
+                              bool loud) {
   enum { SECONDS = 20 };
   fflush(NULL);
   pid_t child = fork();
@@ -219,7 +239,7 @@ Verdict engines_compare_apart(const Engines *engines, const FuzzGrammar *grammar
       dup2(nowhere, STDERR_FILENO);
     }
     alarm(SECONDS);
-    _exit((int)engines_compare(engines, grammar, executables, NULL));
+    _exit((int)engines_compare(engines, grammar, executables, lengths));
   }
   int status;
   if (child < 0 || waitpid(child, &status, 0) < 0) return VERDICT_CRASH;

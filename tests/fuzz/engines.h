@@ -18,6 +18,11 @@ typedef enum Verdict {
 
 extern const char *const verdict_names[VERDICTS];
 
+// Modules by the interpreter: of the word, and of what the homomorphism makes of it.
+typedef struct Lengths {
+  uint64_t word, figure;
+} Lengths;
+
 typedef struct Engines {
   const Backend *backend;
   const char *lsysc;   // path; NULL: no executables
@@ -25,12 +30,13 @@ typedef struct Engines {
   FILE *nowhere;       // /dev/null
 } Engines;
 
-// Derives by the interpreter and by the JIT, on one and on several threads, and compares modules, argument
-// bits and the word after printing and reading the grammar back; with executables also -O0 and -O2. Prints
-// what differs. modules (may be NULL) gets the length of the word.
-Verdict engines_compare(const Engines *engines, const FuzzGrammar *grammar, bool executables, uint64_t *modules);
+// Derives by the interpreter and by the JIT, with and without homomorphism, and by the interpreter again after the
+// grammar was printed by fmt, and compares modules and argument bits; with executables also -O0 and -O2. Prints
+// what differs. lengths may be NULL.
+Verdict engines_compare(const Engines *engines, const FuzzGrammar *grammar, bool executables, Lengths *lengths);
 
-// The same in a process of its own, so that a crash is a verdict. Silent unless `loud`.
-Verdict engines_compare_apart(const Engines *engines, const FuzzGrammar *grammar, bool executables, bool loud);
+// The same in a process of its own, so that a crash is a verdict; lengths must be shared memory. Silent unless `loud`.
+Verdict engines_compare_apart(const Engines *engines, const FuzzGrammar *grammar, bool executables, Lengths *lengths,
+                              bool loud);
 
 #endif

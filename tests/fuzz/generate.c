@@ -21,7 +21,7 @@ typedef struct Generator {
   Kind kinds[MOST_KINDS];
   int kind_count;
   int formals;  // of the production that is being made
-  bool parametric, guarded, stochastic, bracketed, cuts, left, right, decomposes, defines, drawn;
+  bool parametric, guarded, stochastic, bracketed, cuts, left, right, decomposes, interprets, defines, drawn;
 } Generator;
 
 // ---- chance ------------------------------------------------------------------
@@ -187,7 +187,7 @@ static void add_context(Generator *g, FuzzWord *word, bool right) {
 
 static void add_rule(Generator *g, const Kind *kind, RuleSection section, bool weighted, bool last) {
   FuzzRule rule = {.section = section};
-  bool contexts = section == RULE_DERIVATION;
+  bool contexts = section != RULE_DECOMPOSITION;
   g->formals = 0;
   int often = last ? 15 : 50;  // the last one is what mostly happens
   if (contexts && g->left && chance(g, often)) add_context(g, &rule.left, false);
@@ -226,6 +226,7 @@ static void choose_features(Generator *g) {
   g->left = chance(g, 35);
   g->right = chance(g, 30);
   g->decomposes = chance(g, 25);
+  g->interprets = chance(g, 20);
   g->defines = g->parametric && chance(g, 40);
   g->drawn = chance(g, 80);
   g->cuts = g->bracketed && chance(g, 15);
@@ -258,6 +259,8 @@ FuzzGrammar *fuzz_generate(Arena *arena, uint64_t number_, double longest) {
     if (chance(g, 95)) add_family(g, &g->kinds[i], RULE_DERIVATION);
   for (int i = 0; g->decomposes && i < g->kind_count; i++)
     if (chance(g, 40)) add_family(g, &g->kinds[i], RULE_DECOMPOSITION);
+  for (int i = 0; g->interprets && i < g->kind_count; i++)
+    if (chance(g, 40)) add_family(g, &g->kinds[i], RULE_HOMOMORPHISM);
   choose_ignore(g);
   for (grammar->steps = MOST_STEPS; grammar->steps > 0 && fuzz_too_long(grammar, longest);) grammar->steps--;
   return grammar;

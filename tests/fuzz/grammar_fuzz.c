@@ -28,7 +28,8 @@ typedef struct Options {
 
 // One worker's; shared with the parent.
 typedef struct Progress {
-  uint64_t at;  // the grammar that is being tried
+  uint64_t at;      // the grammar that is being tried
+  Lengths lengths;  // of a failing one, in the first worker's
   uint64_t verdicts[VERDICTS], executables, modules;
 } Progress;
 
@@ -93,13 +94,13 @@ static _Noreturn void work(const Fuzz *fuzz, int worker, uint64_t at) {
     Arena *arena = arena_create();
     FuzzGrammar *grammar = fuzz_generate(arena, at, LONGEST);
     bool executables = with_executables(fuzz, at);
-    uint64_t modules = 0;
-    Verdict verdict = engines_compare(&fuzz->engines, grammar, executables, &modules);
+    Lengths lengths = {0};
+    Verdict verdict = engines_compare(&fuzz->engines, grammar, executables, &lengths);
     arena_destroy(arena);
     if (verdict == VERDICT_DIFFER || verdict == VERDICT_REFUSED) _exit((int)verdict);
     progress->verdicts[verdict]++;
     progress->executables += executables;
-    progress->modules += modules;
+    progress->modules += lengths.word;
   }
   _exit(VERDICT_AGREE);
 }
@@ -126,15 +127,15 @@ typedef struct Wanted {
 static bool still_fails(const FuzzGrammar *grammar, void *data) {
   const Wanted *wanted = data;
   return !fuzz_too_long(grammar, LONGEST)
-      && engines_compare_apart(wanted->engines, grammar, wanted->executables, false) == wanted->verdict;
+      && engines_compare_apart(wanted->engines, grammar, wanted->executables, NULL, false) == wanted->verdict;
 }
 
-static void write_case(const Fuzz *fuzz, const FuzzGrammar *grammar, Verdict verdict, FILE *out) {
-  (void)fuzz;
+static void write_case(const FuzzGrammar *grammar, Verdict verdict, const Lengths *lengths, FILE *out) {
   fprintf(out, "// Reduced from random grammar %" PRIu64 ", on which engines once did not agree (%s).\n",
           grammar->number, verdict_names[verdict]);
   fuzz_print(grammar, out);
-  fprintf(out, "// test: -n %d\n", grammar->steps);
+  fprintf(out, "// test: -n %d\n// length: %" PRIu64 "\n", grammar->steps, lengths->word);
+  fprintf(out, "// test: -n %d --homomorphism\n// length: %" PRIu64 "\n", grammar->steps, lengths->figure);
 }
 
 static void report(Fuzz *fuzz, uint64_t at, Verdict verdict) {
@@ -151,13 +152,14 @@ static void report(Fuzz *fuzz, uint64_t at, Verdict verdict) {
   } else {
     fputs("it does not happen again\n", stderr);
   }
-  engines_compare_apart(&fuzz->engines, grammar, wanted.executables, true);
-  write_case(fuzz, grammar, verdict, stderr);
+  Lengths *lengths = &fuzz->progress->lengths;
+  engines_compare_apart(&fuzz->engines, grammar, wanted.executables, lengths, true);
+  write_case(grammar, verdict, lengths, stderr);
   if (fuzz->options.keep) {
     const char *path = arena_printf(arena, "%s/fuzz-%" PRIu64 ".lsys", fuzz->options.keep, at);
     FILE *out = fopen(path, "w");
     if (out) {
-      write_case(fuzz, grammar, verdict, out);
+      write_case(grammar, verdict, lengths, out);
       fclose(out);
       fprintf(stderr, "written to %s\n", path);
     }
