@@ -1,0 +1,125 @@
+// json.c -- segments and polygons as numbers, for programs of the user's own:
+//   {"figures": [{"axiom": 1, "segments": [[x,y,z, x,y,z, width, colour, depth], ...],
+//     "polygons": [[colour, [x,y,z], ...], ...]}, ...]}
+// Segments come as they are drawn; polygons wait until the figure ends.
+#include "core/formats.h"
+#include "core/message.h"
+#include "lsys/number.h"
+#include "sinks/spool.h"
+#include "turtle/turtle.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+typedef struct JsonSink {
+  LsysSink sink;
+  LsysGeometry geometry;
+  LsysOut *out;
+  LsysTurtle *turtle;
+  LsysSpool polygons;
+  bool later_figure, later_segment, later_polygon;
+} JsonSink;
+
+static JsonSink *sink_of(LsysGeometry *geometry) {
+  return (JsonSink *)((char *)geometry - offsetof(JsonSink, geometry));
+}
+
+// JSON has no numbers that are not finite.
+static char *put_real(char *to, double x) {
+  if (!(x - x == 0)) x = 0;
+  return lsys_number_print(to, x);
+}
+
+static char *put_point(char *to, const LsysVec3 *p) {
+  to = put_real(to, p->x);
+  *to++ = ',';
+  to = put_real(to, p->y);
+  *to++ = ',';
+  return put_real(to, p->z);
+}
+
+static bool strokes(LsysGeometry *geometry, const LsysStrokes *batch) {
+  JsonSink *j = sink_of(geometry);
+  for (size_t i = 0; i < batch->count; i++) {
+    const LsysStroke *s = &batch->stroke[i];
+    const LsysVec3 *p = batch->point + s->first;
+    for (uint32_t k = 1; k < s->count; k++) {
+      char *room = lsys_out_room(j->out, 16 * LSYS_NUMBER_SIZE), *to = room;
+      to += sprintf(to, "%s\n[", j->later_segment ? "," : "");
+      to = put_point(to, &p[k - 1]);
+      *to++ = ',';
+      to = put_point(to, &p[k]);
+      *to++ = ',';
+      to = put_real(to, s->pen.width);
+      to += sprintf(to, ",%u,%u]", s->pen.colour, s->pen.depth);
+      lsys_out_filled(j->out, (size_t)(to - room));
+      j->later_segment = true;
+    }
+  }
+  return lsys_out_write(j->out, "", 0);
+}
+
+static bool polygon(LsysGeometry *geometry, const LsysVec3 *vertices, size_t count, const LsysPen *pen) {
+  JsonSink *j = sink_of(geometry);
+  char text[4 * LSYS_NUMBER_SIZE], *to = text;
+  to += sprintf(to, "%s\n[%u", j->later_polygon ? "," : "", pen->colour);
+  j->later_polygon = true;
+  bool well = lsys_spool_write(&j->polygons, text, (size_t)(to - text));
+  for (size_t i = 0; well && i < count; i++) {
+    to = text;
+    *to++ = ',';
+    *to++ = '[';
+    to = put_point(to, &vertices[i]);
+    *to++ = ']';
+    well = lsys_spool_write(&j->polygons, text, (size_t)(to - text));
+  }
+  return well && lsys_spool_write(&j->polygons, "]", 1);
+}
+
+static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
+  (void)pass;
+  JsonSink *j = (JsonSink *)sink;
+  if (!j->turtle) j->turtle = lsys_turtle_create(run);
+  if (!j->turtle || !lsys_spool_open(&j->polygons)) return false;
+  lsys_turtle_begin(j->turtle, axiom, &j->geometry);
+  j->later_segment = j->later_polygon = false;
+  lsys_out_print(j->out, "%s{\"axiom\": %u, \"segments\": [", j->later_figure ? ",\n" : "{\"figures\": [\n", axiom + 1);
+  j->later_figure = true;
+  return true;
+}
+
+static bool take(LsysSink *sink, const LsysWord *part) {
+  return lsys_turtle_take(((JsonSink *)sink)->turtle, part);
+}
+
+static bool end(LsysSink *sink) {
+  JsonSink *j = (JsonSink *)sink;
+  bool well = lsys_turtle_end(j->turtle) && lsys_out_print(j->out, "],\n\"polygons\": [")
+           && lsys_spool_copy(&j->polygons, j->out) && lsys_out_print(j->out, "]}");
+  lsys_spool_close(&j->polygons);
+  return well;
+}
+
+static bool finish(LsysSink *sink) {
+  JsonSink *j = (JsonSink *)sink;
+  return lsys_out_print(j->out, j->later_figure ? "]}\n" : "{\"figures\": []}\n");
+}
+
+static void destroy(LsysSink *sink) {
+  JsonSink *j = (JsonSink *)sink;
+  lsys_turtle_destroy(j->turtle);
+  lsys_spool_close(&j->polygons);
+  free(j);
+}
+
+LsysSink *lsys_sink_json(const LsysSinkContext *context) {
+  JsonSink *j = calloc(1, sizeof *j);
+  if (!j) {
+    lsys_error("out of memory");
+    return NULL;
+  }
+  j->sink = (LsysSink){1, begin, take, end, finish, destroy};
+  j->geometry = (LsysGeometry){.strokes = strokes, .polygon = polygon};
+  j->out = context->out;
+  return &j->sink;
+}

@@ -1,0 +1,116 @@
+// model.c -- words to models: measured first, so that widths become lengths and
+// tubes get as many sides as the model can bear; then drawn through tubes.c.
+// Several start words stand side by side.
+#include "sinks/model.h"
+
+#include "core/message.h"
+#include "sinks/layout.h"
+#include "sinks/tubes.h"
+#include "turtle/turtle.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { FEW_SEGMENTS = 20000, SOME_SEGMENTS = 60000, MANY_SEGMENTS = 300000 };
+
+typedef struct ModelSink {
+  LsysSink sink;
+  LsysModel *model;
+  LsysModelOptions options;
+  LsysTurtle *turtle;
+  LsysMeasure measure;
+  LsysLayout layout;
+  LsysTubes tubes;
+  uint32_t current;
+  bool open, drawing;
+} ModelSink;
+
+// Fewer sides the more segments there are; a figure in the page, or a huge one, is lines.
+static uint32_t choose_sides(const ModelSink *m) {
+  if (m->options.sides) return m->options.sides;
+  uint64_t segments = m->layout.segments;
+  if (lsys_turtle_flat(m->turtle) || segments > MANY_SEGMENTS) return 1;
+  return segments > SOME_SEGMENTS ? 4 : segments > FEW_SEGMENTS ? 6 : 8;
+}
+
+static bool open_model(ModelSink *m) {
+  LsysPictureOptions options = lsys_picture_defaults;
+  options.line_width = m->options.line_width;
+  LsysPage page = {.solid = true};
+  lsys_layout_fit(&m->layout, &options, &page);
+  m->tubes.width = m->layout.unit / m->layout.scale;
+  m->tubes.sides = choose_sides(m);
+  m->open = true;
+  return m->model->open(m->model);
+}
+
+// The first figure stays where the turtle drew it; the others move beside it.
+static LsysVec3 shift_of(const ModelSink *m) {
+  const LsysFigure *f = m->layout.figure;
+  uint32_t first = 0;
+  while (first < m->current && !f[first].drawn) first++;
+  double x = (f[m->current].x - f[first].x) / m->layout.scale;
+  return (LsysVec3){f[m->current].drawn ? x : 0, 0, 0};
+}
+
+static bool start(ModelSink *m, const LsysRun *run) {
+  if (m->turtle) return true;
+  if (!lsys_layout_create(&m->layout, run->grammar->axiom_count)) return false;
+  m->turtle = lsys_turtle_create(run);
+  return m->turtle != NULL;
+}
+
+static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
+  ModelSink *m = (ModelSink *)sink;
+  if (!start(m, run)) return false;
+  m->current = axiom;
+  m->drawing = pass == 1;
+  if (!m->drawing) {
+    lsys_measure_begin(&m->measure, true);
+    lsys_turtle_begin(m->turtle, axiom, &m->measure.geometry);
+    return true;
+  }
+  if (!m->open && !open_model(m)) return false;
+  m->tubes.shift = shift_of(m);
+  if (m->model->group && !m->model->group(m->model, axiom)) return false;
+  lsys_turtle_begin(m->turtle, axiom, &m->tubes.geometry);
+  return true;
+}
+
+static bool take(LsysSink *sink, const LsysWord *part) {
+  return lsys_turtle_take(((ModelSink *)sink)->turtle, part);
+}
+
+static bool end(LsysSink *sink) {
+  ModelSink *m = (ModelSink *)sink;
+  if (!lsys_turtle_end(m->turtle)) return false;
+  return m->drawing ? lsys_tubes_flush(&m->tubes) : lsys_layout_add(&m->layout, m->current, &m->measure);
+}
+
+static bool finish(LsysSink *sink) {
+  ModelSink *m = (ModelSink *)sink;
+  return (m->open || open_model(m)) && m->model->close(m->model);
+}
+
+static void destroy(LsysSink *sink) {
+  ModelSink *m = (ModelSink *)sink;
+  lsys_turtle_destroy(m->turtle);
+  lsys_layout_destroy(&m->layout);
+  lsys_tubes_destroy(&m->tubes);
+  m->model->destroy(m->model);
+  free(m);
+}
+
+LsysSink *lsys_model_create(LsysModel *model, const LsysModelOptions *options) {
+  ModelSink *m = calloc(1, sizeof *m);
+  if (!m || !lsys_tubes_create(&m->tubes, model)) {
+    if (!m) lsys_error("out of memory");
+    free(m);
+    model->destroy(model);
+    return NULL;
+  }
+  m->sink = (LsysSink){2, begin, take, end, finish, destroy};
+  m->model = model;
+  m->options = *options;
+  return &m->sink;
+}
