@@ -12,7 +12,7 @@
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-  static const char *const dialects[] = {"native", "native", "native", "fractint", NULL};
+  static const char *const dialects[] = {"native", "native", "native", "cpfg", "cpfg", "fractint", "mws", NULL};
   enum { DIALECTS = sizeof dialects / sizeof *dialects };
   if (size == 0) return 0;
   Arena *arena = arena_create();
