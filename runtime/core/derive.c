@@ -146,9 +146,11 @@ static bool choose_threads(LsysDerivation *derivation, const LsysOptions *option
 
 bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar, const LsysOptions *options,
                           LsysMemory *memory) {
-  const LsysOptionValue *seed = &options->at[LSYS_OPTION_SEED];
+  const LsysOptionValue *seed = &options->at[LSYS_OPTION_SEED], *range = &options->at[LSYS_OPTION_RANGE];
   *derivation = (LsysDerivation){.worker = {.memory = memory, .run.grammar = grammar}};
   LsysRun *run = &derivation->worker.run;
+  derivation->has_range = range->given;
+  if (range->given && !lsys_range_parse(range, &derivation->range)) return false;
   run->root = lsys_root(seed->given ? seed->whole : grammar->seed);
   return initialise_values(&derivation->worker, options) && choose_steps(run, options)
       && choose_axioms(derivation, options) && choose_threads(derivation, options)
@@ -221,6 +223,8 @@ typedef struct Task {
   LsysWord word;  // the start word, packed
   LsysStepper stepper;
   LsysParallel *parallel;
+  LsysWindow window;  // --range: in front of the sink
+  LsysDescent *descent;
   bool well;
 } Task;
 
@@ -236,6 +240,8 @@ static bool derive(Task *task) {
   }
   if (!task->derivation->blocks && !(task->derivation->blocks = lsys_blocks_build(task->worker))) return false;
   unsigned threads = task->derivation->threads;
+  if (task->derivation->has_range && !grammar->derive && grammar->growth.row)
+    return lsys_descent_run(&task->descent, task->worker, &task->word, &task->window);
   if (!grammar->derive && threads > 1)
     return lsys_parallel_run(&task->parallel, task->worker, &task->word, task->sink, threads);
   if (!lsys_writer_open(&task->writer, task->worker, task->sink)) return false;
@@ -247,20 +253,36 @@ static bool derive(Task *task) {
   return true;
 }
 
+static bool begin(Task *task) {
+  return task->sink->begin(task->sink, &task->worker->run, task->axiom, task->pass);
+}
+
+static bool end(Task *task) {
+  return task->sink->end(task->sink);
+}
+
+// A part of the work, which may stop by going to worker->stop.
+static bool guarded(Task *task, bool (*part)(Task *task)) {
+  return setjmp(task->worker->stop) == 0 && part(task);
+}
+
 static void *work(void *data) {
   Task *task = data;
-  LsysSink *sink = task->sink;
-  if (setjmp(task->worker->stop) == 0)
-    task->well = sink->begin(sink, &task->worker->run, task->axiom, task->pass) && derive(task) && sink->end(sink);
+  task->well = guarded(task, begin) && (guarded(task, derive) || task->window.done) && guarded(task, end);
   return NULL;
 }
 
 bool lsys_derivation_run(LsysDerivation *derivation, uint32_t axiom, LsysSink *sink, unsigned pass) {
   Task task = {.derivation = derivation, .worker = &derivation->worker, .sink = sink, .axiom = axiom, .pass = pass};
+  if (derivation->has_range) {
+    lsys_window_open(&task.window, derivation->worker.run.grammar, derivation->range, sink);
+    task.sink = &task.window.sink;
+  }
   LsysThread thread;
   bool well = lsys_thread_start(&thread, task.worker, work, &task);
   if (well) lsys_thread_join(&thread);
   lsys_parallel_close(task.parallel);
+  lsys_descent_close(task.descent);
   if (task.writer.stream.run) lsys_writer_close(&task.writer);
   lsys_stepper_close(&task.stepper);
   free_axiom(derivation->worker.memory, &task.word);

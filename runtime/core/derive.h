@@ -5,11 +5,14 @@
 
 #include "core/blocks.h"
 #include "core/options.h"
+#include "core/range.h"
 #include "core/stream.h"
 
 typedef struct LsysDerivation {
-  LsysWorker worker;                // the run, and what belongs to its thread
-  LsysBlocks *blocks;               // made when first needed
+  LsysWorker worker;   // the run, and what belongs to its thread
+  LsysBlocks *blocks;  // made when first needed
+  bool has_range;      // only these modules of each word are wanted
+  LsysRange range;
   bool expands;                     // by the expand engine, else by the step engine
   unsigned threads;                 // that may work on a derivation
   uint32_t first_axiom, axiom_end;  // the start words that are asked for

@@ -66,8 +66,8 @@ static bool open_outputs(Outputs *outputs, const LsysSinkContext *context) {
   bool word = asked || !(reports || outputs->borrowed);
   outputs->screen = lsys_out_open("-");
   if (!outputs->screen || (word && !add_word(outputs, context)) || !add_reports(outputs, context)) return false;
-  outputs->only_counts =
-    counts && outputs->count == 1 && !(context->grammar->homomorphism && options[LSYS_OPTION_HOMOMORPHISM].given);
+  outputs->only_counts = counts && !options[LSYS_OPTION_RANGE].given && outputs->count == 1
+                      && !(context->grammar->homomorphism && options[LSYS_OPTION_HOMOMORPHISM].given);
   return true;
 }
 

@@ -111,6 +111,45 @@ static void threads(void **state) {
   refuse(&algae, "-n 40 -o /dev/full --threads 3", "No space left on device");
 }
 
+// The letter at a place of a word that nobody could store: as the recursion of the productions says.
+static void ranges(void **state) {
+  (void)state;
+  expect(&algae, "-n 1000 --range 100000000000000000000000000000000000:70",
+         "ABABAABABAABAABABAABABAABAABABAABAABABAABABAABAABABAABABAABAABABAABAAB\n");
+  static char full[OUTPUT];
+  assert_int_equal(run(&algae, "-n 15"), 0);
+  strcpy(full, output);
+  size_t length = strlen(full) - 1;
+  for (size_t first = 0; first < length + 20; first += 37) {
+    char command[64], wanted[64];
+    size_t from = first < length ? first : length, count = length - from < 50 ? length - from : 50;
+    sprintf(wanted, "%.*s\n", (int)count, full + from);
+    sprintf(command, "-n 15 --quiet --range %zu:50", first);
+    expect(&algae, command, wanted);
+  }
+  expect(&bush, "--seed 7 --range 0:0", "\n");
+  refuse(&algae, "-n 3 --range 3", "it is A:LEN");
+  refuse(&algae, "-n 3 --range -3:4", "it is A:LEN");
+}
+
+// Without a growth matrix the word is derived and passed over; it ends early.
+static void ranges_without_growth(void **state) {
+  (void)state;
+  assert_int_equal(run(&bush, "-n 5 -D r=1"), 0);
+  static char full[OUTPUT];
+  strcpy(full, output);
+  assert_int_equal(run(&bush, "-n 5 -D r=1 --range 0:1"), 0);
+  assert_memory_equal(output, full, strlen(output) - 1);
+  assert_int_equal(output[strlen(output) - 1], '\n');
+  for (int count = 1; count < 3; count++) {
+    char command[64];
+    sprintf(command, "-n 60 -D r=1 --range 5:1000 --hash --threads %d", count);
+    assert_int_equal(run(&bush, command), 0);
+    if (count == 1) strcpy(full, output);
+    assert_string_equal(output, full);
+  }
+}
+
 static void params(void **state) {
   (void)state;
   expect(&bush, "-n 0 -D r=0.25", "A(1)A(2)\n");
@@ -150,9 +189,9 @@ static void too_deep(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(words),    cmocka_unit_test(counts), cmocka_unit_test(keys_reach_the_grammar),
-    cmocka_unit_test(threads),  cmocka_unit_test(params), cmocka_unit_test(options),
-    cmocka_unit_test(too_deep),
+    cmocka_unit_test(words),   cmocka_unit_test(counts),  cmocka_unit_test(keys_reach_the_grammar),
+    cmocka_unit_test(threads), cmocka_unit_test(ranges),  cmocka_unit_test(ranges_without_growth),
+    cmocka_unit_test(params),  cmocka_unit_test(options), cmocka_unit_test(too_deep),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

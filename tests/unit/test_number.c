@@ -119,7 +119,7 @@ static void powers_of_ten_and_neighbours(void **state) {
 
 static void random_bits(void **state) {
   (void)state;
-  for (uint64_t i = 0; i < 20000; i++) {
+  for (uint64_t i = 0; i < 8000; i++) {
     uint64_t bits = lsys_mix64(i);
     double x;
     memcpy(&x, &bits, sizeof x);
