@@ -5,6 +5,7 @@
 // ask for them and nowhere else.
 #include "frontend/fmt_word.h"
 
+#include "lsys/number.h"
 #include "support/utf8.h"
 
 #include <ctype.h>
@@ -35,20 +36,12 @@ static bool spelled(const FmtWriter *writer, const AstExpr *expr, char digits[LO
 
 static void print_number(const FmtWriter *writer, const AstExpr *expr) {
   char digits[LONGEST_NUMBER];
-  double x = expr->number;
-  bool whole = fabs(x) < 1e15 && trunc(x) == x;
-  if (spelled(writer, expr, digits)) {
+  if (spelled(writer, expr, digits))
     fputs(digits, writer->out);
-  } else if (whole) {
-    fprintf(writer->out, "%.0f", x);
-  } else if (isinf(x)) {
-    fputs("1e999", writer->out);
-  } else {
-    int precision = 0;
-    do snprintf(digits, sizeof digits, "%.*g", ++precision, x);
-    while (precision < 17 && strtod(digits, NULL) != x);
-    fputs(digits, writer->out);
-  }
+  else if (isinf(expr->number))
+    fputs("1e999", writer->out);  // `inf` would be a name
+  else
+    fwrite(digits, 1, (size_t)(lsys_number_print(digits, expr->number) - digits), writer->out);
 }
 
 // ---- expressions -----------------------------------------------------------
