@@ -6,22 +6,34 @@
 
 static void build(Ir *ir, LLVMContextRef context, LLVMTargetMachineRef machine) {
   ir_create(ir, context, machine);
+  ir->stepping = !ir->facts->context_free;
   if (ir->options->debug) debug_create(ir, diag_sources(ir->diag));
   counters_assign(ir);
   functions_declare(ir);
   expand_declare(ir);
   functions_define(ir);
   expand_define(ir);
-  Entries entries = {init_emit(ir), axiom_emit(ir), entry_expand(ir), entry_homomorphism(ir)};
+  Entries entries = {init_emit(ir), axiom_emit(ir), entry_expand(ir), step_emit(ir), entry_homomorphism(ir)};
   freeze_grammar(ir, &entries);
   debug_finish(ir);
 }
 
+static bool has_state(const Ir *ir) {
+  const Program *program = ir->program;
+  if (ir->facts->sequential || program->array_count || program->start.count || program->start_each.count
+      || program->end_each.count || program->end.count)
+    return true;
+  for (size_t i = 0; i < program->value_count; i++)
+    if (program->values[i].kind == VALUE_GLOBAL) return true;
+  return false;
+}
+
 // What the rewriting functions cannot do is said, not guessed.
 static bool supported(const Ir *ir) {
-  if (ir->facts->context_free && !(ir->description->flags & LSYS_GRAMMAR_WHOLE)) return true;
-  diag_error(ir->diag, (Span){0, 0},
-             "`%s` has contexts or global state, which cannot be compiled; `lsysc interp` runs it", ir->program->name);
+  bool state = has_state(ir) || ir->program->lsystem_count > 1;
+  if (!state && !(ir->description->flags & LSYS_GRAMMAR_WHOLE)) return true;
+  diag_error(ir->diag, (Span){0, 0}, "`%s` has %s, which cannot be compiled; `lsysc interp` runs it", ir->program->name,
+             state ? "global state or sub-L-systems" : "a homomorphism with contexts");
   return false;
 }
 

@@ -20,15 +20,15 @@ static unsigned leads(Way way) {  // parameters between out and the module's arg
 
 static const Productions *way_productions(const Ir *ir, Way way, KindId kind) {
   const KindFacts *facts = &ir->facts->kinds[kind];
-  if (way == WAY_EXPAND) return &facts->own;
+  if (way == WAY_EXPAND || way == WAY_STEP) return &facts->own;
   return way == WAY_DECOMPOSE ? &facts->decompositions : &facts->homomorphisms;
 }
 
 static bool wanted(const Ir *ir, Way way, KindId kind) {
   const KindFacts *facts = &ir->facts->kinds[kind];
   if (way == WAY_INTERPRET) return facts->homomorphisms.count;
-  if (!ir->facts->context_free || !facts->reachable) return false;
-  return way == WAY_EXPAND ? !facts->terminal : facts->decompositions.count;
+  if (!facts->reachable || way == WAY_STEP) return false;
+  return way == WAY_EXPAND ? !ir->stepping && !facts->terminal : facts->decompositions.count;
 }
 
 // ---- declarations ------------------------------------------------------------
@@ -76,6 +76,14 @@ static void jump(Rewrite *rewrite, LLVMValueRef *values) {
   for (size_t i = 0; i < rewrite->variables.count; i++) LLVMAddIncoming(rewrite->variables.at[i], &values[i], &here, 1);
 }
 
+static void leave(Rewrite *rewrite) {
+  LLVMBuilderRef builder = rewrite->scope.ir->builder;
+  if (rewrite->done)
+    LLVMBuildBr(builder, rewrite->done);
+  else
+    LLVMBuildRetVoid(builder);
+}
+
 // Hands a module to the function of its way. A last one ends the block.
 static void pass(Rewrite *rewrite, Way way, const Derived *module) {
   Ir *ir = rewrite->scope.ir;
@@ -94,29 +102,31 @@ static void pass(Rewrite *rewrite, Way way, const Derived *module) {
   }
   LLVMValueRef call = ir_call(ir, ir->ways[way][module->kind], values, n);
   if (!module->last) return;
-  LLVMSetTailCallKind(call, ir->tail_kind);
-  LLVMBuildRetVoid(ir->builder);
+  if (!rewrite->done) LLVMSetTailCallKind(call, ir->tail_kind);
+  leave(rewrite);
 }
 
 static void finish(Rewrite *rewrite) {
   line_flush(rewrite);
-  LLVMBuildRetVoid(rewrite->scope.ir->builder);
+  leave(rewrite);
 }
 
 // A module in the derivation with rewrite->left steps to go.
 static void derive(Rewrite *rewrite, const Derived *module) {
   Ir *ir = rewrite->scope.ir;
-  if (!ir->facts->kinds[module->kind].terminal) {
+  bool stays = ir->stepping || ir->facts->kinds[module->kind].terminal;
+  if (!stays) {
     pass(rewrite, WAY_EXPAND, module);
     return;
   }
-  LLVMValueRef key = module->key ? key_chain(ir, module->key, rewrite->left) : NULL;
+  LLVMValueRef key = module->key;
+  if (key && !ir->stepping) key = key_chain(ir, key, rewrite->left);
   line_add(rewrite, module->kind, module->args, key);
   if (module->last) finish(rewrite);
 }
 
 // A module that a rewriting produced.
-static void hand_on(Rewrite *rewrite, const Derived *module, unsigned steps) {
+void module_hand_on(Rewrite *rewrite, const Derived *module, unsigned steps) {
   (void)steps;
   const KindFacts *facts = &rewrite->scope.ir->facts->kinds[module->kind];
   if (rewrite->way != WAY_INTERPRET) {
@@ -161,7 +171,7 @@ static void check_stack(Rewrite *rewrite) {
 static void take_any(Rewrite *rewrite, const Production *production) {
   Ir *ir = rewrite->scope.ir;
   if (recurs(ir, rewrite->way, &production->successor)) check_stack(rewrite);
-  successor_emit(rewrite, production, hand_on, 0);
+  successor_emit(rewrite, production, module_hand_on, 0);
   if (production->successor.count == 0) LLVMBuildRetVoid(ir->builder);
 }
 
@@ -216,7 +226,7 @@ static void stay(Rewrite *rewrite) {
     finish(rewrite);
   } else {
     if (self.key) self.key = key_split(ir, self.key, 0);
-    hand_on(rewrite, &self, 0);
+    module_hand_on(rewrite, &self, 0);
   }
 }
 

@@ -164,7 +164,7 @@ void freeze_grammar(Ir *ir, const Entries *entries) {
     FIELD(init, pointer(ir, entries->init)),
     FIELD(axiom, pointer(ir, entries->axiom)),
     FIELD(expand, pointer(ir, entries->expand)),
-    FIELD(step, null),
+    FIELD(step, pointer(ir, entries->step)),
     FIELD(context_class, bytes(ir, g->context_class, g->kind_count, "context_class")),
     FIELD(left_window, int_of(i32, g->left_window)),
     FIELD(derive, null),

@@ -21,6 +21,7 @@ typedef struct IrTypes {
   LLVMTypeRef none, i1, i8, i16, i32, i64, f64, ptr;
   LLVMTypeRef symbol;  // i8, or i16 in wide grammars
   LLVMTypeRef word, stream, block, run, kind, param, axiom, growth;
+  LLVMTypeRef scan, neighbour, cursor;
 } IrTypes;
 
 enum { WORD_SYM, WORD_ARG, WORD_KEY, WORD_NSYM, WORD_NARG, WORD_NKEY };
@@ -35,6 +36,21 @@ enum {
   STREAM_STACK_LIMIT
 };
 enum { BLOCK_SYM, BLOCK_ARG, BLOCK_NSYM, BLOCK_NARG };
+enum {
+  SCAN_SYM,
+  SCAN_END,
+  SCAN_ARG,
+  SCAN_KEY,
+  SCAN_LEFT,
+  SCAN_RUN,
+  SCAN_STEP,
+  SCAN_DEPTH,
+  SCAN_FRESH,
+  SCAN_AHEAD_KNOWN,
+  SCAN_PASSED
+};
+enum { NEIGHBOUR_KIND, NEIGHBOUR_WRAP, NEIGHBOUR_ARG };
+enum { CURSOR_SYM, CURSOR_END, CURSOR_ARG, CURSOR_FOUND, CURSOR_SEGMENT, CURSOR_OPEN };
 enum { RUN_GRAMMAR, RUN_VALUE, RUN_ROOT, RUN_STEPS, RUN_BLOCK, RUN_BLOCK_LEVELS };
 
 // A function that rewrites modules of one kind, by how it goes on with the result.
@@ -42,6 +58,7 @@ typedef enum Way {
   WAY_EXPAND,     // (out, steps, args..., key): derives by that many steps
   WAY_DECOMPOSE,  // (out, steps, depth, args..., key): decomposes, then derives by steps
   WAY_INTERPRET,  // (out, depth, args..., key): homomorphism
+  WAY_STEP,       // no function of its own: in the loop of step.c
   WAY_COUNT
 } Way;
 
@@ -66,6 +83,7 @@ typedef struct Ir {
   LLVMValueRef *functions;                // user functions
   LLVMValueRef *ways[WAY_COUNT];          // per way and kind: the function, or NULL
   LLVMValueRef schedule;                  // table of each step (T0L), or NULL
+  bool stepping;                          // for the step engine: a module is derived by one step at a time
   uint32_t room_sym, room_arg, room_key;  // the most that was asked for at once
 } Ir;
 
@@ -149,6 +167,15 @@ typedef struct Line {
   VEC(LLVMValueRef) keys;
 } Line;
 
+// Where the loop of a step stands in the word (lsys/scan.h).
+typedef struct Step {
+  LLVMValueRef scan, end;
+  LLVMValueRef sym, arg, key;  // the module that is rewritten
+  LLVMValueRef table;          // T0L: the table of this step
+  LLVMValueRef counters;
+  struct Loop *loop;  // step.c's own
+} Step;
+
 // A rewriting function under construction, at one place in it.
 typedef struct Rewrite {
   Scope scope;  // of the production at hand; its key is the module's
@@ -163,6 +190,8 @@ typedef struct Rewrite {
   VEC(LLVMValueRef) variables;  //   and its variables: the function's parameters behind out
   LLVMValueRef left, deeper;    // steps and levels that the successor's modules have left
   bool silent;                  // results carry no keys (homomorphism)
+  const Step *step;             // WAY_STEP
+  LLVMBasicBlockRef done;       // where to go behind the last module; NULL: the function returns
   Line line;
 } Rewrite;
 
@@ -170,6 +199,12 @@ typedef struct Rewrite {
 // must end that block; then goes on where none is. False if one always is: then there is no such place.
 typedef void (*Take)(Rewrite *rewrite, const Production *production);
 bool select_production(Rewrite *rewrite, const Productions *productions, Take take);
+
+// step.c: an i32, 1 if the module that is rewritten stands on the root's axis, in no branch.
+LLVMValueRef step_on_root_axis(const Rewrite *rewrite);
+
+// neighbours.c: goes on only where the rest of the strict predecessor and the contexts fit; binds their parameters.
+void neighbours_require(Rewrite *rewrite, const Production *production, Slot *slots, LLVMBasicBlockRef fail);
 
 // A module of a successor, evaluated; key is NULL where its kind has none.
 typedef struct Derived {
@@ -195,11 +230,15 @@ void fuse_emit(Rewrite *rewrite, const Production *production, unsigned levels);
 // expand.c: the rewriting functions of all reachable kinds.
 void expand_declare(Ir *ir);
 void expand_define(Ir *ir);
+void module_hand_on(Rewrite *rewrite, const Derived *module, unsigned steps);  // what a rewriting produced goes on
 LLVMValueRef expand_depth(Ir *ir, Way way);  // levels that the section of WAY_DECOMPOSE or WAY_INTERPRET allows
 
 // entry.c: the descriptor's functions that take packed words; NULL where the grammar has no such thing.
 LLVMValueRef entry_expand(Ir *ir);
 LLVMValueRef entry_homomorphism(Ir *ir);
+
+// step.c: the descriptor's function that rewrites a word once; NULL where the expand engine does.
+LLVMValueRef step_emit(Ir *ir);
 
 // init.c
 LLVMValueRef init_emit(Ir *ir);
@@ -207,7 +246,7 @@ LLVMValueRef axiom_emit(Ir *ir);
 
 // freeze.c: the description as an exported constant that points at the functions.
 typedef struct Entries {
-  LLVMValueRef init, axiom, expand, homomorphism;
+  LLVMValueRef init, axiom, expand, step, homomorphism;
 } Entries;
 void freeze_grammar(Ir *ir, const Entries *entries);
 

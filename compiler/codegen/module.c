@@ -32,6 +32,21 @@ MIRROR(LsysBlock, sym, 8 * BLOCK_SYM);
 MIRROR(LsysBlock, arg, 8 * BLOCK_ARG);
 MIRROR(LsysBlock, nsym, 8 * BLOCK_NSYM);
 MIRROR(LsysBlock, narg, 8 * BLOCK_NARG);
+MIRROR(LsysScan, sym, 8 * SCAN_SYM);
+MIRROR(LsysScan, end, 8 * SCAN_END);
+MIRROR(LsysScan, arg, 8 * SCAN_ARG);
+MIRROR(LsysScan, key, 8 * SCAN_KEY);
+MIRROR(LsysScan, left, 8 * SCAN_LEFT);
+MIRROR(LsysScan, run, 8 * SCAN_RUN);
+MIRROR(LsysScan, step, 8 * SCAN_STEP);
+MIRROR(LsysScan, depth, 8 * SCAN_DEPTH);
+MIRROR(LsysScan, fresh, 8 * SCAN_FRESH);
+MIRROR(LsysScan, ahead_known, 8 * SCAN_FRESH + 4);
+MIRROR(LsysScan, passed, 8 * SCAN_FRESH + 8);
+MIRROR(LsysNeighbour, wrap, 4);
+MIRROR(LsysNeighbour, arg, 8);
+MIRROR(LsysCursor, found, 8 * CURSOR_FOUND);
+MIRROR(LsysCursor, segment, 8 * CURSOR_SEGMENT);
 MIRROR(LsysRun, grammar, 8 * RUN_GRAMMAR);
 MIRROR(LsysRun, value, 8 * RUN_VALUE);
 MIRROR(LsysRun, root, 8 * RUN_ROOT);
@@ -67,6 +82,9 @@ static void make_types(IrTypes *t, LLVMContextRef context, bool wide) {
   t->param = MIRROR_TYPE("param", ptr, i32, f64, f64, ptr);
   t->axiom = MIRROR_TYPE("axiom", t->word);
   t->growth = MIRROR_TYPE("growth", ptr, ptr, ptr);
+  t->scan = MIRROR_TYPE("scan", ptr, ptr, ptr, ptr, ptr, ptr, i64, i64, i32, i32, i32);
+  t->neighbour = MIRROR_TYPE("neighbour", i32, i32, ptr);
+  t->cursor = MIRROR_TYPE("cursor", ptr, ptr, ptr, ptr, i32, i32);
 }
 
 void ir_create(Ir *ir, LLVMContextRef context, LLVMTargetMachineRef machine) {

@@ -57,6 +57,7 @@ static bool test(Rewrite *rewrite, const Production *production, LLVMBasicBlockR
     require(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, rewrite->table, table, ""), fail);
   }
   rewrite->scope.slots = make_slots(rewrite, production);
+  neighbours_require(rewrite, production, rewrite->scope.slots, fail);
   require_expr(rewrite, production->match, fail);
   actions_run(&rewrite->scope, &production->before);
   require_expr(rewrite, production->guard, fail);

@@ -55,10 +55,13 @@ static inline void pass(const LsysScan *scan, LsysCursor *cursor, uint32_t kind)
 }
 
 // Passes ignored modules, and branches too if `over`; the class of what stands there then.
-// LSYS_CLASS_CLOSE also at the end of the word.
+// LSYS_CLASS_CLOSE also at the end of the word, with kind LSYS_NO_MODULE.
 static inline uint32_t approach(const LsysScan *scan, LsysCursor *cursor, bool over, uint32_t *kind) {
   for (;;) {
-    if (cursor->sym == cursor->end && !next_segment(scan, cursor)) return LSYS_CLASS_CLOSE;
+    if (cursor->sym == cursor->end && !next_segment(scan, cursor)) {
+      *kind = LSYS_NO_MODULE;
+      return LSYS_CLASS_CLOSE;
+    }
     *kind = symbol(cursor->sym, scan->wide);
     uint32_t class = scan->context_class[*kind];
     if (class == LSYS_CLASS_IGNORED)
@@ -86,6 +89,12 @@ bool lsys_branch(const LsysScan *scan, LsysCursor *cursor, LsysCursor *inside) {
   inside->open++;
   jump(scan, cursor);
   return true;
+}
+
+bool lsys_closes(const LsysScan *scan, const LsysCursor *cursor) {
+  LsysCursor at = *cursor;
+  uint32_t kind;
+  return approach(scan, &at, true, &kind) == LSYS_CLASS_CLOSE && kind != LSYS_NO_MODULE;
 }
 
 void lsys_behind(const LsysScan *scan, LsysCursor *cursor, uint32_t modules, uint32_t args) {
@@ -134,7 +143,7 @@ void lsys_scan_open(LsysScan *scan) {
 }
 
 static void forget_left(LsysScan *scan) {
-  for (uint32_t i = 0; i < scan->window; i++) scan->left[i].kind = LSYS_NO_MODULE;
+  for (uint32_t i = 0; i < scan->window; i++) scan->left[i] = (LsysNeighbour){.kind = LSYS_NO_MODULE};
 }
 
 void lsys_scan_close(LsysScan *scan) {
@@ -253,12 +262,11 @@ void scan_index_free(ScanIndex *index, LsysRun *run) {
 // In a ring the window begins with the last seen modules of the word.
 static void wrap_window(LsysScan *scan) {
   LsysCursor cursor = {scan->segments[0].sym, scan->segments[0].end, scan->segments[0].arg, NULL, 0, 0};
-  uint32_t ring = scan->ring, kind;
+  uint32_t ring = scan->ring, kind, number = 0;
   scan->ring = 0;
   while ((kind = lsys_ahead(scan, &cursor)) != LSYS_NO_MODULE) {
     for (uint32_t i = scan->window; i-- > 1;) scan->left[i] = scan->left[i - 1];
-    if (scan->window) scan->left[0] = (LsysNeighbour){kind, cursor.found};
-    scan->reach += scan->reach <= scan->window;
+    if (scan->window) scan->left[0] = (LsysNeighbour){kind, ++number, cursor.found};
   }
   scan->ring = ring;
 }

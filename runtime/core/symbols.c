@@ -13,7 +13,7 @@ const LsysSymbol lsys_symbols[] = {
   SYMBOL(lsys_trunc),     SYMBOL(lsys_round),      SYMBOL(lsys_sign),   SYMBOL(lsys_mod),    SYMBOL(lsys_min),
   SYMBOL(lsys_max),       SYMBOL(lsys_ran),        SYMBOL(lsys_nran),   SYMBOL(lsys_bran),   SYMBOL(lsys_biran),
   SYMBOL(lsys_scan_open), SYMBOL(lsys_scan_close), SYMBOL(lsys_behind), SYMBOL(lsys_ahead),  SYMBOL(lsys_right),
-  SYMBOL(lsys_branch),    SYMBOL(lsys_cut),        SYMBOL(lsys_print),
+  SYMBOL(lsys_branch),    SYMBOL(lsys_closes),     SYMBOL(lsys_cut),    SYMBOL(lsys_print),
 
 };
 const size_t lsys_symbol_count = sizeof lsys_symbols / sizeof *lsys_symbols;

@@ -34,8 +34,9 @@ static void step_on(LsysScan *scan, uint8_t kind) {
     lsys_scan_close(scan);
   else {
     for (uint32_t i = scan->window; i-- > 1;) scan->left[i] = scan->left[i - 1];
-    if (scan->window) scan->left[0] = (LsysNeighbour){kind, scan->arg};
+    if (scan->window) scan->left[0] = (LsysNeighbour){.kind = kind, .arg = scan->arg};
     scan->fresh = 0;
+    scan->passed += scan->depth == 0;
   }
   scan->sym++;
 }
@@ -80,7 +81,8 @@ static void step_ring(LsysScan *scan, LsysStream *out) {
     if (!grammar_has_room(out, scan->run->grammar)) lsys_flush(out);
     uint8_t kind = *scan->sym;
     scan->ahead_known = 0;
-    bool left = scan->reach > 1 && scan->left[0].kind == B;
+    bool far = scan->left[0].wrap && scan->left[0].wrap <= scan->passed + 1;
+    bool left = !far && scan->left[0].kind == B;
     *out->sym++ = kind == A && (left || lsys_right(scan, &at, 0) == B) ? B : kind;
     step_on(scan, kind);
   }

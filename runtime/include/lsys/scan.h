@@ -26,6 +26,8 @@ enum { LSYS_CLASS_SEEN, LSYS_CLASS_IGNORED, LSYS_CLASS_OPEN, LSYS_CLASS_CLOSE };
 
 typedef struct LsysNeighbour {
   uint32_t kind;  // LSYS_NO_MODULE: the path ends before it
+  uint32_t wrap;  // ring: one more than its number among the seen modules of the root's axis, if it is a neighbour
+                  //   around the end of the word; else 0
   const double *arg;
 } LsysNeighbour;
 
@@ -55,29 +57,32 @@ typedef struct LsysCursor {
 typedef struct LsysScan LsysScan;
 
 struct LsysScan {
-  // The place of the module that is rewritten next; `step` keeps them.
+  // What compiled code reads and keeps. sym, arg, key: the module that is rewritten next.
   const uint8_t *sym, *end;
   const double *arg;
   const uint64_t *key;
   LsysNeighbour *left;  // window of them, left[0] the nearest
-  uint32_t window;
-  uint32_t fresh;  // 1: no seen module yet since the `[` that began this branch
-  uint32_t segment, open;
   struct LsysRun *run;
-  uint64_t step;  // index of this step, from 0
+  uint64_t step;         // index of this step, from 0
+  uint64_t depth;        // open brackets
+  uint32_t fresh;        // 1: no seen module yet since the `[` that began this branch
+  uint32_t ahead_known;  // 1: `ahead` holds
+  uint32_t passed;       // ring: seen modules of the root's axis before this one; left[j] counts if its wrap is 0 or
+                         //   beyond passed, this one included if it is such a module itself
+
+  // The run time's own.
+  uint32_t window;
+  uint32_t segment, open;
   const LsysSegment *segments;
   uint32_t segment_count;
   const uint8_t *context_class;  // by kind
   const uint16_t *arity;         // by kind
   uint32_t wide;                 // 1: symbols take two bytes
   uint32_t ring;                 // 1: the word is a ring; a neighbour is looked for up to the module itself
-  uint32_t reach;                // ring: seen modules on the axis, at most window + 1; left[j] counts for
-                                 //   j + 1 < reach if the strict predecessor is seen itself, else for j < reach
-  // The first seen module ahead, by lsys_right.
-  LsysCursor ahead;
-  uint32_t ahead_kind, ahead_known;
+  LsysCursor ahead;              // behind the first seen module ahead, by lsys_right
+  uint32_t ahead_kind;
   struct LsysLevel *levels;  // what `[` saved, one per open bracket
-  size_t depth, level_room;
+  size_t level_room;
   LsysNeighbour *saved;  // window of them per level
 };
 
@@ -104,6 +109,9 @@ uint32_t lsys_right(LsysScan *scan, LsysCursor *cursor, uint32_t args);
 // Is there a branch at this place, before the next seen module? If so, `inside` stands behind its `[` and
 // cursor behind its `]`.
 bool lsys_branch(const LsysScan *scan, LsysCursor *cursor, LsysCursor *inside);
+
+// Does a `]` follow on the axis, behind nothing but ignored modules and branches?
+bool lsys_closes(const LsysScan *scan, const LsysCursor *cursor);
 
 // Moves scan->sym, arg, key to the `]` that ends the branch (or the end of the word): the cut `%`. The
 // scan must cover the whole word.

@@ -1,0 +1,223 @@
+// neighbours.c -- whether a production's surroundings fit: the modules of a
+// pseudo-production's predecessor, left and right contexts (LANGUAGE.md 5.4).
+//
+// The left context is read from the scan's window. The right one is a row of
+// calls that move a cursor: past the next seen module, into the next branch.
+// `[...]` becomes a loop over the branches at its place; `]` and `=` skip the
+// rest of a branch, so that whatever is asked for behind them is not there.
+#include "codegen/ir.h"
+
+typedef struct Matcher {
+  Rewrite *rewrite;
+  const Production *production;
+  Slot *slots;
+  LLVMBasicBlockRef fail;
+} Matcher;
+
+static void require(Matcher *m, LLVMValueRef test) {
+  Ir *ir = m->rewrite->scope.ir;
+  LLVMBasicBlockRef next = ir_block(ir, "fits");
+  ir_branch(ir, test, next, m->fail);
+  ir_at(ir, next);
+}
+
+static void require_kind(Matcher *m, LLVMValueRef kind, uint32_t wanted) {
+  Ir *ir = m->rewrite->scope.ir;
+  LLVMValueRef number = LLVMConstInt(ir->types.i32, wanted, false);
+  require(m, LLVMBuildICmp(ir->builder, LLVMIntEQ, kind, number, ""));
+}
+
+// Binds a pattern's parameters to the arguments at arg. A production with a weight is taken only after
+// others were tried, where values of this path are out of reach: its parameters live in memory.
+static void bind(Matcher *m, const Pattern *pattern, LLVMValueRef arg) {
+  Ir *ir = m->rewrite->scope.ir;
+  for (uint32_t i = 0; i < ir->program->kinds[pattern->kind].arity; i++) {
+    LLVMValueRef at = ir_advance(ir, ir->types.f64, arg, ir_int(ir, i));
+    LLVMValueRef value = LLVMBuildLoad2(ir->builder, ir->types.f64, at, "");
+    Slot *slot = &m->slots[pattern->slot + i];
+    if (!m->production->weight) {
+      slot->value = value;
+      continue;
+    }
+    slot->address = ir_local(ir, ir->types.f64, 1, "neighbour");
+    LLVMBuildStore(ir->builder, value, slot->address);
+  }
+}
+
+// ---- the rest of a pseudo-production's predecessor ----------------------------
+
+static void match_strict(Matcher *m) {
+  Ir *ir = m->rewrite->scope.ir;
+  const Step *step = m->rewrite->step;
+  const Context *strict = &m->production->strict;
+  if (strict->count == 1) return;
+  LLVMValueRef end = ir_advance(ir, ir->types.symbol, step->sym, ir_int(ir, strict->count));
+  require(m, LLVMBuildICmp(ir->builder, LLVMIntULE, end, step->end, ""));
+  uint32_t args = ir->program->kinds[strict->at[0].kind].arity;
+  for (size_t i = 1; i < strict->count; i++) {
+    LLVMValueRef at = ir_advance(ir, ir->types.symbol, step->sym, ir_int(ir, i));
+    LLVMValueRef symbol = LLVMBuildLoad2(ir->builder, ir->types.symbol, at, "");
+    LLVMSetAlignment(symbol, 1);
+    require_kind(m, LLVMBuildZExt(ir->builder, symbol, ir->types.i32, ""), strict->at[i].kind);
+    bind(m, &strict->at[i], ir_advance(ir, ir->types.f64, step->arg, ir_int(ir, args)));
+    args += ir->program->kinds[strict->at[i].kind].arity;
+  }
+}
+
+// ---- left ----------------------------------------------------------------------
+
+// In a ring, a neighbour from around the end of the word stands behind the strict predecessor.
+static void require_behind(Matcher *m, LLVMValueRef neighbour) {
+  Ir *ir = m->rewrite->scope.ir;
+  LLVMValueRef scan = m->rewrite->step->scan, zero = LLVMConstInt(ir->types.i32, 0, false);
+  LLVMValueRef wrap = ir_load(ir, ir->types.i32, neighbour, ir->types.neighbour, NEIGHBOUR_WRAP);
+  LLVMValueRef passed = ir_load(ir, ir->types.i32, scan, ir->types.scan, SCAN_PASSED);
+  if (ir->description->context_class[m->rewrite->kind] == LSYS_CLASS_SEEN)
+    passed = LLVMBuildAdd(ir->builder, passed, step_on_root_axis(m->rewrite), "");
+  LLVMValueRef near = LLVMBuildICmp(ir->builder, LLVMIntEQ, wrap, zero, "");
+  LLVMValueRef behind = LLVMBuildICmp(ir->builder, LLVMIntUGT, wrap, passed, "");
+  require(m, LLVMBuildOr(ir->builder, near, behind, ""));
+}
+
+static void match_left(Matcher *m) {
+  Ir *ir = m->rewrite->scope.ir;
+  const Context *left = &m->production->left;
+  if (!left->count) return;
+  LLVMValueRef scan = m->rewrite->step->scan;
+  uint32_t j = 0;
+  for (size_t p = left->count; p-- > 0;) {
+    if (left->at[p].what == PATTERN_OPEN) {
+      require_kind(m, ir_load(ir, ir->types.i32, scan, ir->types.scan, SCAN_FRESH), 1);
+      continue;
+    }
+    LLVMValueRef window = ir_load(ir, ir->types.ptr, scan, ir->types.scan, SCAN_LEFT);
+    LLVMValueRef at = ir_advance(ir, ir->types.neighbour, window, ir_int(ir, j++));
+    require_kind(m, ir_load(ir, ir->types.i32, at, ir->types.neighbour, NEIGHBOUR_KIND), left->at[p].kind);
+    if (ir->description->flags & LSYS_GRAMMAR_RING) require_behind(m, at);
+    bind(m, &left->at[p], ir_load(ir, ir->types.ptr, at, ir->types.neighbour, NEIGHBOUR_ARG));
+  }
+}
+
+// ---- right ---------------------------------------------------------------------
+
+static LLVMValueRef call(Matcher *m, const char *name, LLVMTypeRef result, LLVMValueRef *args, unsigned count) {
+  Ir *ir = m->rewrite->scope.ir;
+  LLVMTypeRef types[4];
+  for (unsigned i = 0; i < count; i++) types[i] = LLVMTypeOf(args[i]);
+  return ir_call(ir, ir_runtime(ir, name, result, types, count, IR_ANY), args, count);
+}
+
+static LLVMValueRef make_cursor(Matcher *m) {
+  return ir_local(m->rewrite->scope.ir, m->rewrite->scope.ir->types.cursor, 1, "cursor");
+}
+
+// The kind of the next seen module; first: directly behind a strict predecessor of one module.
+static LLVMValueRef ahead(Matcher *m, LLVMValueRef cursor, bool first) {
+  Ir *ir = m->rewrite->scope.ir;
+  LLVMValueRef scan = m->rewrite->step->scan;
+  if (!first) return call(m, "lsys_ahead", ir->types.i32, (LLVMValueRef[]){scan, cursor}, 2);
+  LLVMValueRef arity = LLVMConstInt(ir->types.i32, ir->program->kinds[m->rewrite->kind].arity, false);
+  return call(m, "lsys_right", ir->types.i32, (LLVMValueRef[]){scan, cursor, arity}, 3);
+}
+
+static void put_behind(Matcher *m, LLVMValueRef cursor) {
+  Ir *ir = m->rewrite->scope.ir;
+  const Context *strict = &m->production->strict;
+  uint32_t args = 0;
+  for (size_t i = 0; i < strict->count; i++) args += ir->program->kinds[strict->at[i].kind].arity;
+  LLVMValueRef modules = LLVMConstInt(ir->types.i32, strict->count, false);
+  LLVMValueRef values[] = {m->rewrite->step->scan, cursor, modules, LLVMConstInt(ir->types.i32, args, false)};
+  call(m, "lsys_behind", ir->types.none, values, 4);
+}
+
+static bool closes(const Matcher *m, const Pattern *pattern) {
+  return pattern->what == PATTERN_CLOSE
+      || (pattern->what == PATTERN_MODULE && pattern->kind == m->rewrite->scope.ir->program->close);
+}
+
+// The pattern's index behind the ] that closes the group before p.
+static size_t group_end(const Matcher *m, size_t p) {
+  const Context *right = &m->production->right;
+  for (unsigned depth = 1; p < right->count && depth; p++) {
+    if (right->at[p].what == PATTERN_OPEN) depth++;
+    if (closes(m, &right->at[p])) depth--;
+  }
+  return p;
+}
+
+static void never(Matcher *m) {
+  require(m, LLVMConstInt(m->rewrite->scope.ir->types.i1, 0, false));
+}
+
+static void match_axis(Matcher *m, size_t p, size_t end, LLVMValueRef cursor, bool first);
+
+// [...]: the first branch at the cursor that the group p..end fits.
+static void match_group(Matcher *m, size_t p, size_t end, LLVMValueRef cursor) {
+  Ir *ir = m->rewrite->scope.ir;
+  LLVMValueRef inside = make_cursor(m);
+  LLVMBasicBlockRef again = ir_block(ir, "branch"), fail = m->fail;
+  LLVMBuildBr(ir->builder, again);
+  ir_at(ir, again);
+  LLVMValueRef args[] = {m->rewrite->step->scan, cursor, inside};
+  require(m, LLVMBuildTrunc(ir->builder, call(m, "lsys_branch", ir->types.i8, args, 3), ir->types.i1, ""));
+  m->fail = again;
+  match_axis(m, p, end, inside, false);
+  m->fail = fail;
+}
+
+static void match_module(Matcher *m, const Pattern *pattern, LLVMValueRef cursor, bool first) {
+  Ir *ir = m->rewrite->scope.ir;
+  require_kind(m, ahead(m, cursor, first), pattern->kind);
+  bind(m, pattern, ir_load(ir, ir->types.ptr, cursor, ir->types.cursor, CURSOR_FOUND));
+}
+
+static void require_closes(Matcher *m, LLVMValueRef cursor) {
+  Ir *ir = m->rewrite->scope.ir;
+  LLVMValueRef args[] = {m->rewrite->step->scan, cursor};
+  require(m, LLVMBuildTrunc(ir->builder, call(m, "lsys_closes", ir->types.i8, args, 2), ir->types.i1, ""));
+}
+
+static void require_end(Matcher *m, LLVMValueRef cursor) {
+  Ir *ir = m->rewrite->scope.ir;
+  LLVMValueRef copy = make_cursor(m);
+  LLVMBuildMemCpy(ir->builder, copy, 8, cursor, 8, LLVMSizeOf(ir->types.cursor));
+  require_kind(m, ahead(m, copy, false), LSYS_NO_MODULE);
+}
+
+// Patterns p..end against what stands ahead of the cursor.
+static void match_axis(Matcher *m, size_t p, size_t end, LLVMValueRef cursor, bool first) {
+  const Context *right = &m->production->right;
+  bool rest = false;  // the rest of the branch was skipped
+  for (; p < end; p++, first = false) {
+    const Pattern *pattern = &right->at[p];
+    bool literal_close = closes(m, pattern) && pattern->what == PATTERN_MODULE;
+    if (literal_close && !rest) require_closes(m, cursor);
+    if (pattern->what == PATTERN_END && !rest) require_end(m, cursor);
+    if (pattern->what == PATTERN_OPEN || (pattern->what == PATTERN_MODULE && !literal_close)) {
+      if (rest) never(m);
+      if (pattern->what == PATTERN_MODULE) match_module(m, pattern, cursor, first);
+    }
+    if (pattern->what == PATTERN_OPEN) {
+      size_t behind = group_end(m, p + 1);
+      match_group(m, p + 1, behind, cursor);
+      p = behind - 1;
+    }
+    rest |= pattern->what == PATTERN_REST || closes(m, pattern);
+  }
+}
+
+static void match_right(Matcher *m) {
+  const Context *right = &m->production->right;
+  if (!right->count) return;
+  LLVMValueRef cursor = make_cursor(m);
+  bool direct = m->production->strict.count == 1 && right->at[0].what == PATTERN_MODULE && !closes(m, &right->at[0]);
+  if (!direct) put_behind(m, cursor);
+  match_axis(m, 0, right->count, cursor, direct);
+}
+
+void neighbours_require(Rewrite *rewrite, const Production *production, Slot *slots, LLVMBasicBlockRef fail) {
+  Matcher matcher = {rewrite, production, slots, fail};
+  match_strict(&matcher);
+  match_left(&matcher);
+  match_right(&matcher);
+}
