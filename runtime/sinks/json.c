@@ -80,6 +80,7 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   (void)pass;
   JsonSink *j = (JsonSink *)sink;
   if (!j->turtle) j->turtle = lsys_turtle_create(run);
+  if (j->turtle) lsys_turtle_by_depth(j->turtle);
   if (!j->turtle || !lsys_spool_open(&j->polygons)) return false;
   lsys_turtle_begin(j->turtle, axiom, &j->geometry);
   j->later_segment = j->later_polygon = false;

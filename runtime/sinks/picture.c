@@ -95,7 +95,7 @@ static bool measure_stroke(Picture *p, const LsysVec3 *v, const LsysStroke *stro
     uint32_t n = stroke->count - from < BATCH ? stroke->count - from : BATCH;
     for (uint32_t i = 0; i < n; i++) turned[i] = seen(p, v[from + i]);
     LsysStroke part = {0, n, stroke->pen, false};
-    LsysStrokes batch = {turned, &part, 1};
+    LsysStrokes batch = {turned, &part, 1, n};
     if (!p->measure.geometry.strokes(&p->measure.geometry, &batch)) return false;
     from += n - 1;
   }

@@ -7,7 +7,7 @@
 // ---- brackets ------------------------------------------------------------
 
 bool turtle_push(LsysTurtle *t) {
-  turtle_change_pen(t);
+  if (t->by_depth) turtle_change_pen(t);
   if (!turtle_grow(&t->stack, &t->stack_room, t->depth + 1, t->state_size)) return false;
   unsigned char *top = t->stack + t->depth++ * t->state_size;
   if (t->state_size == STATE_SMALL) {

@@ -18,7 +18,7 @@ typedef struct LsysVec3 {
 typedef struct LsysPen {
   double width;  // finite, >= 0; 0 is the thinnest line that a format can show
   uint8_t colour;
-  uint32_t depth;  // open brackets
+  uint32_t depth;  // open brackets, where the turtle was asked for them
 } LsysPen;
 
 // Connected segments drawn with one pen: points first .. first+count-1 of the
@@ -30,11 +30,12 @@ typedef struct LsysStroke {
   bool joined;
 } LsysStroke;
 
-// Segments come in batches, so that a call costs nothing per segment.
+// Segments come in batches, so that a call costs nothing per segment. Strokes
+// cover the batch's points one behind the other, without gaps.
 typedef struct LsysStrokes {
   const LsysVec3 *point;
   const LsysStroke *stroke;
-  size_t count;  // of strokes
+  size_t count, points;  // of strokes, of points
 } LsysStrokes;
 
 // A surface of triangles. corner holds three vertex numbers a triangle, counter-clockwise as

@@ -3,43 +3,55 @@
 
 #include "turtle/vector.h"
 
-// The box grows by comparisons that a nan fails, so nan must be caught apart: it makes `odd` nan.
+#include <string.h>
+
+// A box that grows by two points at a time, x y, z x, y z, so that no half of a register is idle.
 typedef struct Box {
-  Pair low, high;
-  double low_z, high_z;
-  Pair odd;  // 0, or nan once a coordinate was nan or infinite
+  Pair low[3], high[3];
+  Pair sum[3];  // nan or infinite once a coordinate was: comparisons may lose those
 } Box;
 
-static Box box_of(const LsysMeasure *m) {
-  return (Box){{m->low.x, m->low.y}, {m->high.x, m->high.y}, m->low.z, m->high.z, {0, 0}};
+static inline void add_two(Box *box, const LsysVec3 *point) {
+  for (int i = 0; i < 3; i++) {
+    Pair p;
+    memcpy(&p, (const char *)point + (size_t)i * sizeof p, sizeof p);
+    box->low[i] = pair_min(box->low[i], p);
+    box->high[i] = pair_max(box->high[i], p);
+    box->sum[i] += p;
+  }
 }
 
-static inline Pair pair_min(Pair a, Pair b) {
-  return (Pair){a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1]};
+static double least(double a, double b) {
+  return a < b ? a : b;
 }
 
-static inline Pair pair_max(Pair a, Pair b) {
-  return (Pair){a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
+static double most(double a, double b) {
+  return a > b ? a : b;
 }
 
 static void add_points(LsysMeasure *m, const LsysVec3 *point, size_t count) {
-  Box box = box_of(m);
-  for (size_t i = 0; i < count; i++) {
-    Pair p = {point[i].x, point[i].y};
-    double z = point[i].z;
-    box.low = pair_min(p, box.low);
-    box.high = pair_max(p, box.high);
-    box.low_z = z < box.low_z ? z : box.low_z;
-    box.high_z = z > box.high_z ? z : box.high_z;
-    box.odd += (p + z) * 0;
+  if (!count) return;
+  const LsysVec3 last[2] = {point[count - 1], point[count - 1]};
+  Box box = {.sum = {{0}}};
+  for (int i = 0; i < 3; i++) {
+    memcpy(&box.low[i], (const char *)last + (size_t)i * sizeof(Pair), sizeof(Pair));
+    box.high[i] = box.low[i];
   }
-  m->low = (LsysVec3){box.low[0], box.low[1], box.low_z};
-  m->high = (LsysVec3){box.high[0], box.high[1], box.high_z};
-  if (isnan(box.odd[0] + box.odd[1])) m->low.x = m->high.x = NAN;
+  for (size_t i = 0; i + 1 < count; i += 2) add_two(&box, &point[i]);
+  add_two(&box, last);
+  m->low = (LsysVec3){least(m->low.x, least(box.low[0][0], box.low[1][1])),
+                      least(m->low.y, least(box.low[0][1], box.low[2][0])),
+                      least(m->low.z, least(box.low[1][0], box.low[2][1]))};
+  m->high = (LsysVec3){most(m->high.x, most(box.high[0][0], box.high[1][1])),
+                       most(m->high.y, most(box.high[0][1], box.high[2][0])),
+                       most(m->high.z, most(box.high[1][0], box.high[2][1]))};
+  Pair sum = box.sum[0] + box.sum[1] + box.sum[2];
+  if (!isfinite(sum[0] + sum[1])) m->odd = true;
 }
 
 static bool strokes(LsysGeometry *to, const LsysStrokes *batch) {
   LsysMeasure *m = (LsysMeasure *)to;
+  add_points(m, batch->point, batch->points);
   for (size_t i = 0; i < batch->count; i++) {
     const LsysStroke *s = &batch->stroke[i];
     const LsysVec3 *point = batch->point + s->first;
@@ -47,9 +59,8 @@ static bool strokes(LsysGeometry *to, const LsysStrokes *batch) {
     m->of_colour[s->pen.colour] += s->count - 1;
     if (s->pen.width < m->thinnest) m->thinnest = s->pen.width;
     if (s->pen.width > m->thickest) m->thickest = s->pen.width;
-    add_points(m, point, s->count);
-    if (!m->wants_length) continue;
-    for (uint32_t k = 1; k < s->count; k++) m->length += vec_length(vec_sum(point[k], 1, point[k - 1], -1));
+    for (uint32_t k = 1; k < s->count && m->wants_length; k++)
+      m->length += vec_length(vec_sum(point[k], 1, point[k - 1], -1));
   }
   return true;
 }
@@ -100,10 +111,9 @@ void lsys_measure_begin(LsysMeasure *m, bool wants_length) {
 }
 
 bool lsys_measure_any(const LsysMeasure *m) {
-  return m->low.x <= m->high.x || isnan(m->low.x);
+  return m->odd || m->low.x <= m->high.x;
 }
 
 bool lsys_measure_finite(const LsysMeasure *m) {
-  return isfinite(m->low.x) && isfinite(m->low.y) && isfinite(m->low.z) && isfinite(m->high.x) && isfinite(m->high.y)
-      && isfinite(m->high.z);
+  return !m->odd;
 }

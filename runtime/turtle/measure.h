@@ -12,6 +12,7 @@ typedef struct LsysMeasure {
   uint64_t of_colour[256];    // segments of each colour
   double length;              // of all segments
   LsysVec3 low, high;         // bounding box, without the widths of lines; low > high if nothing was drawn
+  bool odd;                   // a coordinate was nan or infinite, or above 1e300: the box is not to be trusted
   double thinnest, thickest;  // widths of segments; infinite and 0 if there are none
 } LsysMeasure;
 

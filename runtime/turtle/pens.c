@@ -5,8 +5,8 @@
 static const double THINNER = 0.70710678118654752440;  // `!`: two equal branches have their parent's cross-section
 
 LsysPen turtle_pen(const LsysTurtle *t) {
-  uint32_t depth = t->depth > UINT32_MAX ? UINT32_MAX : (uint32_t)t->depth;
-  return (LsysPen){t->state.width, t->state.colour, depth};
+  size_t depth = t->by_depth ? t->depth : 0;
+  return (LsysPen){t->state.width, t->state.colour, depth > UINT32_MAX ? UINT32_MAX : (uint32_t)depth};
 }
 
 double turtle_width(const LsysTurtle *t, double width) {

@@ -4,76 +4,135 @@
 //
 // A move or a turn takes no branch: every module adds its turn to the heading,
 // its length along the heading to the place, and stores the place; only moves
-// that draw keep it.
+// that draw keep it. Brackets take one branch each, and none on what they find.
 #include "turtle/state.h"
 
 #include <string.h>
 
-// The cursors of the loop, in registers.
+// What the loop changes, in registers.
 typedef struct Cursor {
   Pair at;
   uint32_t heading;
-  LsysVec3 *out;  // the next free point
+  LsysVec3 *out;       // the next free point
+  LsysVec3 *open;      // where the open stroke begins
+  LsysStroke *stroke;  // the next free stroke
+  unsigned char *top;  // of the stack
+  bool joined;
 } Cursor;
 
 static Cursor load(const LsysTurtle *t) {
-  return (Cursor){t->state.at, t->state.heading, t->point + t->points};
+  return (Cursor){.at = t->state.at,
+                  .heading = t->state.heading,
+                  .out = t->point + t->points,
+                  .open = t->point + t->open,
+                  .stroke = t->stroke + t->strokes,
+                  .top = t->stack + t->depth * t->state_size,
+                  .joined = t->joined};
 }
 
 static void store(LsysTurtle *t, const Cursor *c) {
   t->state.at = c->at;
   t->state.heading = c->heading;
   t->points = (uint32_t)(c->out - t->point);
+  t->open = (uint32_t)(c->open - t->point);
+  t->strokes = (uint32_t)(c->stroke - t->stroke);
+  t->depth = (size_t)(c->top - t->stack) / t->state_size;
+  t->joined = c->joined;
 }
 
-// Brackets and moves without drawing. False to stop.
-static bool act(LsysTurtle *t, Cursor *c, const PlainKind *k) {
+static inline void put_place(LsysVec3 *to, Pair at) {
+  memcpy(to, &at, sizeof at);
+}
+
+// The turtle stands somewhere else: the open stroke, if it has a segment, is written, and another begins.
+static inline void jump(const LsysTurtle *t, Cursor *c, const LsysPen *pen) {
+  uint32_t count = (uint32_t)(c->out - c->open);
+  bool drawn = count >= 2;
+  *c->stroke = (LsysStroke){(uint32_t)(c->open - t->point), count, *pen, c->joined};
+  c->stroke += drawn;
+  c->open = drawn ? c->out : c->open;
+  put_place(c->open, c->at);
+  c->out = c->open + 1;
+  c->joined = false;
+}
+
+// The small part of a State, as brackets keep it.
+typedef struct Saved {
+  Pair at;
+  double width;
+  uint32_t heading;
+  uint8_t colour, rest[3];
+} Saved;
+_Static_assert(sizeof(Saved) == STATE_SMALL && offsetof(Saved, width) == offsetof(State, width)
+                 && offsetof(Saved, heading) == offsetof(State, heading)
+                 && offsetof(Saved, colour) == offsetof(State, colour),
+               "Saved is the small part of State");
+
+// `[` and `]` of a turtle with a small state. False: the general functions must see to it.
+static inline bool push(const LsysTurtle *t, Cursor *c) {
+  if (c->top + STATE_SMALL > t->stack + t->stack_room * STATE_SMALL) return false;
+  Saved s;
+  memcpy(&s, &t->state, sizeof s);
+  s.at = c->at;
+  s.heading = c->heading;
+  memcpy(c->top, &s, sizeof s);
+  c->top += STATE_SMALL;
+  return true;
+}
+
+static inline bool pop(LsysTurtle *t, Cursor *c, LsysPen *pen) {
+  if (c->top == t->stack) return false;
+  Saved s;
+  c->top -= STATE_SMALL;
+  memcpy(&s, c->top, sizeof s);
+  c->at = s.at;
+  c->heading = s.heading;
+  jump(t, c, pen);
+  memcpy(&t->state, &s, sizeof s);
+  *pen = (LsysPen){s.width, s.colour, 0};
+  return true;
+}
+
+// Brackets and moves without drawing, the general way. False to stop.
+static bool act(LsysTurtle *t, Cursor *c, PlainAct what) {
   store(t, c);
-  bool ok = true;
-  switch ((PlainAct)k->act) {
-  case PLAIN_PUSH:
-    ok = turtle_push(t);
-    break;
-  case PLAIN_POP:
-    ok = turtle_pop(t);
-    break;
-  case PLAIN_JUMP:
-    t->state.at += t->directions.at[t->state.heading] * k->move;
-    turtle_jump(t);
-    break;
-  case PLAIN_GO:
-  case PLAIN_OTHER:
-    break;
-  }
+  bool well = what == PLAIN_PUSH ? turtle_push(t) : turtle_pop(t);
   *c = load(t);
-  return ok;
+  return well;
 }
 
 size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, size_t count, bool *ok) {
   const PlainKind *kinds = t->plain_kind;
   const Pair *directions = t->directions.at;
   const uint32_t circle = t->directions.count;
+  const bool small = t->state_size == STATE_SMALL && !t->by_depth;
   // A module adds at most two points: the end of its move, and the start of a new stroke.
   size_t room = (BATCH_POINTS - t->points) / 2;
   if (count > room) count = room;
   Cursor c = load(t);
+  LsysPen pen = {t->state.width, t->state.colour, 0};
   size_t i = 0;
   for (; i < count; i++) {
     const PlainKind *k = &kinds[sym[i]];
-    if (__builtin_expect(k->act != PLAIN_GO, 0)) {
-      if (k->act == PLAIN_OTHER) break;
+    if (k->act == PLAIN_GO) {
+      uint32_t heading = c.heading + k->turn;
+      c.heading = heading >= circle ? heading - circle : heading;
+      c.at += directions[c.heading] * k->move;
+      put_place(c.out, c.at);
+      c.out += k->draws;
+    } else if (k->act == PLAIN_JUMP) {
+      c.at += directions[c.heading] * k->move;
+      jump(t, &c, &pen);
+    } else if (k->act == PLAIN_OTHER) {
+      break;
+    } else if (!small || !(k->act == PLAIN_PUSH ? push(t, &c) : pop(t, &c, &pen))) {
       t->read += i;  // where a warning says it happened
-      *ok = act(t, &c, k);
+      *ok = act(t, &c, (PlainAct)k->act);
       t->read -= i;
+      pen = (LsysPen){t->state.width, t->state.colour, 0};
       if (!*ok) break;
-      if (k->act == PLAIN_POP && !turtle_is_plain(t)) return i + 1;
-      continue;
+      if (!turtle_is_plain(t)) return i + 1;
     }
-    uint32_t heading = c.heading + k->turn;
-    c.heading = heading >= circle ? heading - circle : heading;
-    c.at += directions[c.heading] * k->move;
-    memcpy(c.out, &c.at, sizeof c.at);
-    c.out += k->draws;
   }
   store(t, &c);
   return i;

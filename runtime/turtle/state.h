@@ -61,6 +61,7 @@ struct LsysTurtle {
   bool in_page;       // z stays 0
   bool plain;         // the fast loop can be used
   bool skip_next;     // the module behind `~`
+  bool by_depth;      // strokes end where brackets begin, too, and know how deep they are
   size_t state_size;  // bytes of State that brackets save
 
   double angle, step;         // defaults; step in lattice units

@@ -44,7 +44,7 @@ bool turtle_flush(LsysTurtle *t) {
     if (t->directions.lattice) {
       for (uint32_t i = 0; i < t->points; i++) t->point[i] = turtle_out(t, t->point[i]);
     }
-    LsysStrokes batch = {t->point, t->stroke, t->strokes};
+    LsysStrokes batch = {t->point, t->stroke, t->strokes, t->open};
     if (!t->to->strokes(t->to, &batch)) return false;
   }
   t->strokes = 0;

@@ -81,6 +81,7 @@ static Abilities abilities(const LsysGrammar *g) {
     case LSYS_TURTLE_SECOND_MOVE:
       can.any_length = can.more_state = true;
       break;
+    case LSYS_TURTLE_SWAP_TURNS:
     case LSYS_TURTLE_SECOND_TURN:
       can.more_state = true;
       break;
@@ -237,6 +238,10 @@ void lsys_turtle_destroy(LsysTurtle *t) {
 
 bool lsys_turtle_flat(const LsysTurtle *t) {
   return t->in_page;
+}
+
+void lsys_turtle_by_depth(LsysTurtle *t) {
+  t->by_depth = true;
 }
 
 // ---- reading -------------------------------------------------------------

@@ -17,6 +17,9 @@ void lsys_turtle_destroy(LsysTurtle *turtle);
 // True if no symbol of the grammar leaves the plane of the page: every z is 0.
 bool lsys_turtle_flat(const LsysTurtle *turtle);
 
+// Strokes shall know how many brackets were open where they were drawn (LsysPen.depth, else 0): they end at `[`, too.
+void lsys_turtle_by_depth(LsysTurtle *turtle);
+
 // Starts the word of an axiom, drawn to `to`: the turtle stands at the origin, its state as the settings say.
 void lsys_turtle_begin(LsysTurtle *turtle, uint32_t axiom, LsysGeometry *to);
 

@@ -5,9 +5,29 @@
 #include "turtle/geometry.h"
 
 #include <math.h>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 // Two doubles in one register: a place or a direction in the page.
 typedef double Pair __attribute__((vector_size(16)));
+
+// Smaller and larger of each; which one if either is nan is not defined.
+static inline Pair pair_min(Pair a, Pair b) {
+#ifdef __SSE2__
+  return (Pair)_mm_min_pd((__m128d)a, (__m128d)b);
+#else
+  return (Pair){a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1]};
+#endif
+}
+
+static inline Pair pair_max(Pair a, Pair b) {
+#ifdef __SSE2__
+  return (Pair)_mm_max_pd((__m128d)a, (__m128d)b);
+#else
+  return (Pair){a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
+#endif
+}
 
 // Heading, left, up: orthonormal, H x L = U (ABOP p. 19).
 typedef struct Frame {
