@@ -5,6 +5,7 @@
 // as the same Ast but for spans, and printing that gives the same text.
 #include "frontend/fmt.h"
 
+#include "frontend/fmt_adapt.h"
 #include "frontend/fmt_comment.h"
 #include "frontend/fmt_word.h"
 #include "lsys/settings.h"
@@ -16,6 +17,7 @@ typedef struct Printer {
   FmtWriter writer;
   FmtLines lines;
   const Ast *ast;
+  FmtAdaption adaption;
 } Printer;
 
 #define OUT(printer) ((printer)->writer.out)
@@ -85,7 +87,7 @@ static void print_actions(Printer *printer, const AstActions *actions, int inden
 
 // ---- statements ------------------------------------------------------------
 
-static void print_production(Printer *printer, const AstProduction *production) {
+static void print_production(Printer *printer, const AstProduction *production, bool weigh) {
   FILE *out = OUT(printer);
   if (production->label) fprintf(out, "%s : ", production->label);
   if (production->left.span.end) {
@@ -95,7 +97,7 @@ static void print_production(Printer *printer, const AstProduction *production) 
   fmt_word(&printer->writer, &production->strict);
   if (production->right.span.end) {
     fputs(" > ", out);
-    fmt_word(&printer->writer, &production->right);
+    fmt_right(&printer->writer, &production->right);
   }
   if (production->guard || production->has_before || production->has_after) fputs(" :", out);
   if (production->has_before) print_actions(printer, &production->before, ONE_LINE);
@@ -108,9 +110,9 @@ static void print_production(Printer *printer, const AstProduction *production) 
   if (production->has_after) print_actions(printer, &production->after, ONE_LINE);
   fputs(" --> ", out);
   fmt_word(&printer->writer, &production->successor);
-  if (!production->weight) return;
-  fputs(" : ", out);
-  fmt_closed_expr(&printer->writer, production->weight);
+  if (production->weight || weigh) fputs(" : ", out);
+  if (production->weight) fmt_closed_expr(&printer->writer, production->weight);
+  if (weigh) fputc('1', out);
 }
 
 // (a, b), or the names behind blanks.
@@ -178,14 +180,14 @@ static void print_value(Printer *printer, const char *keyword, const AstExpr *va
   fmt_expr(&printer->writer, value);
 }
 
-static void print_statement(Printer *printer, const AstStatement *statement) {
+static void print_statement(Printer *printer, const AstStatement *statement, bool weigh) {
   FILE *out = OUT(printer);
   switch (statement->kind) {
   case AST_AXIOM:
     print_axiom(printer, statement);
     break;
   case AST_PRODUCTION:
-    print_production(printer, statement->production);
+    print_production(printer, statement->production, weigh);
     break;
   case AST_DEFINE:
     fprintf(out, "#define %s", statement->name);
@@ -304,13 +306,14 @@ static void print_all(Printer *printer, const char *at, const char *end) {
     const AstStatement *statement = &printer->ast->statements.at[i];
     const char *text = fmt_text(&printer->writer, statement->span);
     const char *text_end = text + (text ? statement->span.end - statement->span.begin : 0);
-    if (native && !text) continue;  // of an included file
+    bool included = native && !text;
+    if (included || printer->adaption.omit[i]) continue;
     if (text >= at) {
       print_gap(printer, at, text);
       at = text_end;
     }
     fmt_begin_line(&printer->lines);
-    print_statement(printer, statement);
+    print_statement(printer, statement, printer->adaption.weigh[i]);
     if (text && native) fmt_inner_comments(&printer->lines, text, text_end);
   }
   print_gap(printer, at, end);
@@ -320,7 +323,9 @@ static void print_all(Printer *printer, const char *at, const char *end) {
 void fmt_print(const Ast *ast, FILE *out) {
   Arena *arena = arena_create();
   Printer *printer = ARENA_NEW(arena, Printer);
-  *printer = (Printer){.writer = {out, ast->file, NULL}, .lines = {.out = out}, .ast = ast};
+  *printer = (Printer){.writer = {.arena = arena, .out = out, .file = ast->file}, .lines = {.out = out}, .ast = ast};
+  if (strcmp(ast->rules.dialect, "cpfg") == 0) printer->writer.renamed = trie_create(arena);
+  printer->adaption = fmt_adapt(arena, ast);
   collect_names(arena, printer);
   const char *at = ast->file->text, *end = at + ast->file->length;
   if (ast->extent.end) {

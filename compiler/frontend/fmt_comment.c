@@ -118,6 +118,7 @@ static void mws_gap(FmtLines *lines, const char *at, const char *end) {
 void fmt_foreign_gap(FmtLines *lines, const char *dialect, const char *at, const char *end) {
   const char *mark = strcmp(dialect, "fractint") == 0 ? ";" : "//";
   bool blocks = *mark == '/';
+  bool any = false;           // the line is not empty
   bool alone = *mark == ';';  // the statements between the comments are printed behind them
   if (strcmp(dialect, "mws") == 0) {
     mws_gap(lines, at, end);
@@ -125,19 +126,22 @@ void fmt_foreign_gap(FmtLines *lines, const char *dialect, const char *at, const
   }
   while (at < end) {
     if (*at == '\n') {
-      lines->blank |= !lines->line && !alone;
+      lines->blank |= !lines->line && !alone && !any;
+      any = false;
       fmt_end_line(lines);
       at++;
     } else if (blocks && starts(at, end, "/*")) {
       const char *stop = memmem(at + 2, (size_t)(end - at - 2), "*/", 2);
       print_comment(lines, at + 2, stop ? stop : end);
+      any = true;
       at = stop ? stop + 2 : end;
     } else if (starts(at, end, mark)) {
       const char *stop = line_end(at, end);
       print_comment(lines, at + strlen(mark), stop);
+      any = true;
       at = stop;
     } else {
-      at++;
+      any |= !isspace((unsigned char)*at++);
     }
   }
 }

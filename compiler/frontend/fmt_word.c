@@ -161,6 +161,22 @@ void fmt_string(const FmtWriter *writer, const char *text) {
 
 // ---- words -----------------------------------------------------------------
 
+// cpfg's symbols are characters, or `@` and any other; those that mean something else here, or nothing at all,
+// become N_ and their codes.
+static const char *symbol_of(const FmtWriter *writer, const char *symbol) {
+  size_t length = strlen(symbol);
+  if (!writer->renamed) return symbol;
+  bool known = *symbol != '@' || strcmp(symbol, "@]") == 0 || trie_find(writer->names, symbol, length);
+  if (known && strcmp(symbol, "=") != 0) return symbol;
+  void **place = trie_at(writer->renamed, symbol, length);
+  if (!*place) {
+    char *name = arena_printf(writer->arena, "N_%u", (unsigned char)*symbol);
+    for (size_t i = 1; i < length; i++) name = arena_printf(writer->arena, "%s%03u", name, (unsigned char)symbol[i]);
+    *place = name;
+  }
+  return *place;
+}
+
 // Bytes of the longest symbol that the modules from i on would scan as, were they printed without blanks.
 static size_t longest_symbol(const FmtWriter *writer, const AstWord *word, size_t i) {
   enum { LOOK_AHEAD = 64 };  // bytes; no declared name that matters is longer
@@ -168,9 +184,10 @@ static size_t longest_symbol(const FmtWriter *writer, const AstWord *word, size_
   size_t length = 0;
   for (; i < word->modules.count; i++) {
     const AstModule *module = &word->modules.at[i];
-    size_t size = strlen(module->symbol);
+    const char *symbol = symbol_of(writer, module->symbol);
+    size_t size = strlen(symbol);
     if (length + size > LOOK_AHEAD) break;
-    memcpy(text + length, module->symbol, size);
+    memcpy(text + length, symbol, size);
     length += size;
     if (module->args.count || module->parens) break;
   }
@@ -197,7 +214,7 @@ static bool needs_blank(const FmtWriter *writer, const AstWord *word, size_t i) 
   if (a->parens || a->args.count) return false;
   // `/*` begins a comment; so does `//` where a statement begins.
   if (strcmp(a->symbol, "/") == 0 && (b->symbol[0] == '*' || (i == 0 && b->symbol[0] == '/'))) return true;
-  return longest_symbol(writer, word, i) > strlen(a->symbol);
+  return longest_symbol(writer, word, i) > strlen(symbol_of(writer, a->symbol));
 }
 
 static void print_word(const FmtWriter *writer, const AstWord *word, bool axiom) {
@@ -206,7 +223,7 @@ static void print_word(const FmtWriter *writer, const AstWord *word, bool axiom)
   for (size_t i = 0; i < word->modules.count; i++) {
     const AstModule *module = &word->modules.at[i];
     bool last = i + 1 == word->modules.count;
-    fputs(module->symbol, writer->out);
+    fputs(symbol_of(writer, module->symbol), writer->out);
     // A `\` between a blank and the line's end would join the next line.
     bool joins = blank && last && strcmp(module->symbol, "\\") == 0;
     if (module->args.count || module->parens || joins || (axiom && strcmp(module->symbol, ",") == 0))
@@ -218,6 +235,28 @@ static void print_word(const FmtWriter *writer, const AstWord *word, bool axiom)
 
 void fmt_word(const FmtWriter *writer, const AstWord *word) {
   print_word(writer, word, false);
+}
+
+// A literal `]` asks that the branch end there: `@]`, and `]` again if it was opened in the context. Behind the end
+// of the module's own branch nothing can be asked for here.
+void fmt_right(const FmtWriter *writer, const AstWord *word) {
+  if (!writer->renamed) {
+    fmt_word(writer, word);
+    return;
+  }
+  size_t depth = 0;
+  AstWord native = {0};
+  for (size_t i = 0; i < word->modules.count; i++) {
+    const AstModule *module = &word->modules.at[i];
+    bool close = strcmp(module->symbol, "]") == 0;
+    depth += strcmp(module->symbol, "[") == 0;
+    if (close) *VEC_PUSH(writer->arena, &native.modules) = (AstModule){.symbol = "@]", .span = module->span};
+    if (close && depth == 0) break;
+    depth -= close;
+    *VEC_PUSH(writer->arena, &native.modules) = *module;
+  }
+  fmt_word(writer, &native);
+  if (native.modules.count < word->modules.count) fputs(" /* cpfg looks on behind the branch */", writer->out);
 }
 
 void fmt_axiom(const FmtWriter *writer, const AstWord *word) {

@@ -6,9 +6,11 @@
 #include "support/trie.h"
 
 typedef struct FmtWriter {
+  Arena *arena;
   FILE *out;
   const SourceFile *file;
-  Trie *names;  // symbols of more than one character: declared ones and the turtle's
+  Trie *names;    // symbols of more than one character: declared ones and the turtle's
+  Trie *renamed;  // cpfg: symbols that are none here, and what they become; else NULL
 } FmtWriter;
 
 // The text of a span, NULL if it is none of the file's.
@@ -16,6 +18,9 @@ const char *fmt_text(const FmtWriter *writer, Span span);
 
 // A word; modules that were written apart stay apart, by one blank. The empty word is `*`.
 void fmt_word(const FmtWriter *writer, const AstWord *word);
+
+// A right context; cpfg's brackets in it are literal, which is said with `@]` here.
+void fmt_right(const FmtWriter *writer, const AstWord *word);
 
 // A start word: there a bare `,` would separate words.
 void fmt_axiom(const FmtWriter *writer, const AstWord *word);

@@ -14,10 +14,10 @@
 
 typedef void Print(const Ast *ast, FILE *out);
 
-static char *print(const char *text, Print *how) {
+static char *print_file(const char *name, const char *text, Print *how) {
   Arena *arena = arena_create();
   Sources *sources = sources_create(arena);
-  const SourceFile *file = sources_add(sources, "test", text, strlen(text), (Span){0});
+  const SourceFile *file = sources_add(sources, name, text, strlen(text), (Span){0});
   DiagOptions options;
   diag_options_default(&options);
   options.no_warnings = true;
@@ -31,6 +31,10 @@ static char *print(const char *text, Print *how) {
   fclose(out);
   arena_destroy(arena);
   return printed;
+}
+
+static char *print(const char *text, Print *how) {
+  return print_file("test", text, how);
 }
 
 // Printing gives `expected`, printing that changes nothing, and both are the same Ast.
@@ -152,6 +156,27 @@ static void fractint_becomes_native(void **state) {
   free(printed);
 }
 
+static void cpfg_becomes_native(void **state) {
+  (void)state;
+  char *printed = print_file("test.l",
+                             "/* one */\n#define R 3\nLsystem: 1\nignore: +\nderivation length: R\nAxiom: A=F_l@;\n"
+                             "consider: F\nA > [B]C] --> B : 2\nA > B]C --> *\nA --> F(2^3^2) /* two */\nB --> A\n"
+                             "endlsystem\n",
+                             fmt_print);
+  assert_string_equal(printed, "// one\nlsystem: 1\nsteps: 3\naxiom: AN_61F _lN_64059\nconsider: F\n"
+                               "A > [B@]]C@] --> B : 2\nA > B@] /* cpfg looks on behind the branch */ --> * : 1\n"
+                               "A --> F((2^3)^2) : 1  /* two */\nB --> A\nendlsystem\n");
+  free(printed);
+}
+
+static void mws_becomes_native(void **state) {
+  (void)state;
+  char *printed = print(
+    "# one\n#axiom\nB\n\n#rules\n# two\nB -> #stochastic\np=3 FB\np=1 *\n#stochastic end\n#end rules\n", fmt_print);
+  assert_string_equal(printed, "turns: clockwise\n// one\naxiom: B\n\n// two\nB --> FB : 3\nB --> * : 1\n");
+  free(printed);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(modules_stay_as_far_apart_as_they_were),
@@ -166,6 +191,8 @@ int main(void) {
     cmocka_unit_test(blocks_keep_comments_behind_them),
     cmocka_unit_test(an_empty_file_stays_empty),
     cmocka_unit_test(fractint_becomes_native),
+    cmocka_unit_test(cpfg_becomes_native),
+    cmocka_unit_test(mws_becomes_native),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
