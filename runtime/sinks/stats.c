@@ -2,9 +2,15 @@
 //
 //   segments<TAB>n   polygons<TAB>n   colour N<TAB>n for each colour in use   length<TAB>x
 //   low<TAB>x y z    high<TAB>x y z (the bounding box; left out if nothing is drawn)   end<TAB>x y z
+//   places<TAB>n (different ones that segments end at; left out if there are too many)
+// and of a word with branches:
+//   order N<TAB>segments   axes N<TAB>n (Gravelius orders, the trunk 1)   strahler<TAB>order
+//   streams N<TAB>n   ratio N<TAB>streams N / streams N+1 (Horton-Strahler orders, twigs 1)
 #include "core/formats.h"
 #include "lsys/number.h"
 #include "turtle/measure.h"
+#include "turtle/places.h"
+#include "turtle/tree.h"
 #include "turtle/turtle.h"
 
 #include <stdio.h>
@@ -15,6 +21,8 @@ typedef struct StatsSink {
   LsysOut *out;
   LsysTurtle *turtle;
   LsysMeasure measure;
+  LsysPlaces places;
+  LsysTree *tree;
 } StatsSink;
 
 static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
@@ -23,12 +31,18 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   lsys_measure_begin(&stats->measure, true);
   lsys_turtle_destroy(stats->turtle);
   stats->turtle = lsys_turtle_create(run);
-  if (stats->turtle) lsys_turtle_begin(stats->turtle, axiom, &stats->measure.geometry);
-  return stats->turtle;
+  if (!stats->tree) stats->tree = lsys_tree_create(run->grammar);
+  if (!stats->turtle || !stats->tree) return false;
+  lsys_places_free(&stats->places);
+  lsys_places_begin(&stats->places, &stats->measure.geometry);
+  lsys_turtle_begin(stats->turtle, axiom, &stats->places.geometry);
+  lsys_tree_begin(stats->tree);
+  return true;
 }
 
 static bool take(LsysSink *sink, const LsysWord *part) {
-  return lsys_turtle_take(((StatsSink *)sink)->turtle, part);
+  StatsSink *stats = (StatsSink *)sink;
+  return lsys_turtle_take(stats->turtle, part) && lsys_tree_take(stats->tree, part);
 }
 
 static bool print_point(LsysOut *out, const char *name, LsysVec3 point) {
@@ -39,6 +53,21 @@ static bool print_point(LsysOut *out, const char *name, LsysVec3 point) {
     *at++ = i < 2 ? ' ' : '\n';
   }
   return lsys_out_print(out, "%s\t%.*s", name, (int)(at - text), text);
+}
+
+// What branches: nothing is said of a single axis.
+static void print_orders(LsysOut *out, const LsysTreeOrders *orders) {
+  if (!orders->axes[2]) return;
+  for (int i = 1; i <= LSYS_TREE_ORDERS; i++)
+    if (orders->axes[i])
+      lsys_out_print(out, "order %d\t%llu\naxes %d\t%llu\n", i, (unsigned long long)orders->segments[i], i,
+                     (unsigned long long)orders->axes[i]);
+  lsys_out_print(out, "strahler\t%u\n", orders->strahler);
+  for (int i = 1; i <= LSYS_TREE_ORDERS && orders->streams[i]; i++) {
+    lsys_out_print(out, "streams %d\t%llu\n", i, (unsigned long long)orders->streams[i]);
+    if (i < LSYS_TREE_ORDERS && orders->streams[i + 1])
+      lsys_out_print(out, "ratio %d\t%.4g\n", i, (double)orders->streams[i] / (double)orders->streams[i + 1]);
+  }
 }
 
 static bool print_rows(const StatsSink *stats) {
@@ -55,12 +84,18 @@ static bool print_rows(const StatsSink *stats) {
     print_point(out, "low", measure->low);
     print_point(out, "high", measure->high);
   }
-  return print_point(out, "end", lsys_turtle_position(stats->turtle));
+  print_point(out, "end", lsys_turtle_position(stats->turtle));
+  if (measure->segments && !stats->places.full)
+    lsys_out_print(out, "places\t%llu\n", (unsigned long long)stats->places.count);
+  print_orders(out, lsys_tree_orders(stats->tree));
+  return lsys_out_write(out, "", 0);
 }
 
 static bool end(LsysSink *sink) {
   StatsSink *stats = (StatsSink *)sink;
-  return lsys_turtle_end(stats->turtle) && print_rows(stats);
+  if (!lsys_turtle_end(stats->turtle)) return false;
+  lsys_tree_end(stats->tree);
+  return print_rows(stats);
 }
 
 static bool finish(LsysSink *sink) {
@@ -71,6 +106,8 @@ static bool finish(LsysSink *sink) {
 static void destroy(LsysSink *sink) {
   StatsSink *stats = (StatsSink *)sink;
   lsys_turtle_destroy(stats->turtle);
+  lsys_places_free(&stats->places);
+  lsys_tree_destroy(stats->tree);
   lsys_memory_free(stats->memory, stats, 1, sizeof *stats);
 }
 

@@ -3,6 +3,8 @@
 #include "lsys/abi.h"
 #include "sample.h"
 #include "turtle/measure.h"
+#include "turtle/places.h"
+#include "turtle/tree.h"
 #include "turtle/turtle.h"
 
 #include <math.h>
@@ -303,6 +305,59 @@ static void bends_towards_the_tropism(void **state) {
   sample_release(s);
 }
 
+// Axes by Gravelius' orders, streams by Strahler's; brackets without segments are no branches.
+static void orders_of_trees(void **state) {
+  (void)state;
+  static const struct {
+    const char *word;
+    uint64_t segments[3], axes[3], streams[3];
+    uint32_t strahler;
+  } cases[] = {
+    {"FFF", {3}, {1}, {1}, 1},
+    {"F[+F]F[-F]F", {3, 2}, {1, 2}, {3, 1}, 2},
+    {"F[+F][-F]", {1, 2}, {1, 2}, {2, 1}, 2},
+    {"F[+F[F]F][-F[F]F]", {1, 4, 2}, {1, 2, 2}, {4, 2, 1}, 3},
+    {"F[+F[F]F]F[F]F", {3, 3, 1}, {1, 2, 1}, {4, 2, 1}, 3},
+    {"F[+F[F]F]F", {2, 2, 1}, {1, 1, 1}, {3, 1}, 2},
+    {"F[f][]F]F[F", {3, 1}, {1, 1}, {1}, 1},
+    {"f", {0}, {0}, {0}, 0},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    Sample *s = sample(cases[i].word, 30);
+    LsysTree *tree = lsys_tree_create(&s->grammar);
+    lsys_tree_begin(tree);
+    assert_true(lsys_tree_take(tree, &s->word));
+    lsys_tree_end(tree);
+    const LsysTreeOrders *orders = lsys_tree_orders(tree);
+    assert_int_equal(orders->strahler, cases[i].strahler);
+    for (int k = 0; k < 3; k++) {
+      assert_int_equal(orders->segments[k + 1], cases[i].segments[k]);
+      assert_int_equal(orders->axes[k + 1], cases[i].axes[k]);
+      assert_int_equal(orders->streams[k + 1], cases[i].streams[k]);
+    }
+    lsys_tree_destroy(tree);
+    sample_release(s);
+  }
+}
+
+// A FASS curve visits one place more than it has segments.
+static void counts_places(void **state) {
+  (void)state;
+  const char *hilbert[] = {"L=+RF-LFL-FR+", "R=-LF+RFR+FL-", NULL};
+  char *word = rewrite("L", hilbert, 6);
+  Sample *s = sample(word, 90);
+  LsysPlaces places;
+  lsys_places_begin(&places, NULL);
+  LsysTurtle *t = lsys_turtle_create(&s->run);
+  lsys_turtle_begin(t, 0, &places.geometry);
+  assert_true(lsys_turtle_take(t, &s->word) && lsys_turtle_end(t));
+  assert_int_equal(places.count, 4096);
+  lsys_turtle_destroy(t);
+  lsys_places_free(&places);
+  sample_release(s);
+  free(word);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(starts_up_the_page),
@@ -314,6 +369,8 @@ int main(void) {
     cmocka_unit_test(moves_without_drawing),
     cmocka_unit_test(scales_and_second_directions),
     cmocka_unit_test(polygons),
+    cmocka_unit_test(orders_of_trees),
+    cmocka_unit_test(counts_places),
     cmocka_unit_test(draws_shapes),
     cmocka_unit_test(draws_surfaces),
     cmocka_unit_test(set_the_state),
