@@ -200,6 +200,7 @@ static void dispatch(Rewrite *rewrite, LLVMValueRef symbol) {
   LLVMBasicBlockRef unknown = ir_block(ir, "unknown");
   LLVMValueRef choice = LLVMBuildSwitch(ir->builder, symbol, unknown, (unsigned)ir->program->kind_count);
   for (KindId kind = 0; kind < ir->program->kind_count; kind++) {
+    if (!ir->facts->kinds[kind].reachable) continue;
     LLVMBasicBlockRef block = ir_block(ir, "kind");
     LLVMAddCase(choice, LLVMConstInt(ir->types.symbol, kind, false), block);
     ir_at(ir, block);
