@@ -4,20 +4,7 @@
 
 #include <stdlib.h>
 
-static void build(Ir *ir, LLVMContextRef context, LLVMTargetMachineRef machine) {
-  ir_create(ir, context, machine);
-  ir->stepping = !ir->facts->context_free;
-  if (ir->options->debug) debug_create(ir, diag_sources(ir->diag));
-  counters_assign(ir);
-  functions_declare(ir);
-  expand_declare(ir);
-  functions_define(ir);
-  expand_define(ir);
-  Entries entries = {init_emit(ir), axiom_emit(ir), entry_expand(ir), step_emit(ir), entry_homomorphism(ir)};
-  freeze_grammar(ir, &entries);
-  debug_finish(ir);
-}
-
+// Globals, or blocks that may do anything: nothing may happen in another order than it is written.
 static bool has_state(const Ir *ir) {
   const Program *program = ir->program;
   if (ir->facts->sequential || program->array_count || program->start.count || program->start_each.count
@@ -28,12 +15,28 @@ static bool has_state(const Ir *ir) {
   return false;
 }
 
+static void build(Ir *ir, LLVMContextRef context, LLVMTargetMachineRef machine) {
+  ir_create(ir, context, machine);
+  ir->state = has_state(ir);
+  ir->stepping = !ir->facts->context_free;
+  if (ir->options->debug) debug_create(ir, diag_sources(ir->diag));
+  counters_assign(ir);
+  functions_declare(ir);
+  expand_declare(ir);
+  functions_define(ir);
+  expand_define(ir);
+  Entries entries = {init_emit(ir),   axiom_emit(ir),      entry_expand(ir),      step_emit(ir),
+                     blocks_emit(ir), entry_decompose(ir), entry_homomorphism(ir)};
+  freeze_grammar(ir, &entries);
+  debug_finish(ir);
+}
+
 // What the rewriting functions cannot do is said, not guessed.
 static bool supported(const Ir *ir) {
-  bool state = has_state(ir) || ir->program->lsystem_count > 1;
+  bool state = ir->program->lsystem_count > 1;
   if (!state && !(ir->description->flags & LSYS_GRAMMAR_WHOLE)) return true;
   diag_error(ir->diag, (Span){0, 0}, "`%s` has %s, which cannot be compiled; `lsysc interp` runs it", ir->program->name,
-             state ? "global state or sub-L-systems" : "a homomorphism with contexts");
+             state ? "sub-L-systems" : "a homomorphism with contexts");
   return false;
 }
 

@@ -1,7 +1,7 @@
 // entry.c -- the descriptor's functions that take a packed word: a loop over
 // its modules, each handed to the function of its kind or copied.
 //
-//   expand(out, in, steps)       homomorphism(run, in, out)
+//   expand(out, in, steps)       homomorphism(run, in, out)       decompose(run, in, out)
 #include "codegen/ir.h"
 
 typedef struct Reader {
@@ -42,12 +42,13 @@ static void rewrite_module(Rewrite *rewrite, Reader *reader, KindId kind) {
   bool keyed = ir->facts->kinds[kind].key;
   Derived module = {.kind = kind};
   read(ir, reader, arity, keyed, &module);
-  LLVMValueRef *values = arena_array(ir->arena, arity + (size_t)3, sizeof *values);
+  LLVMValueRef *values = arena_array(ir->arena, arity + (size_t)4, sizeof *values);
   unsigned n = 0;
   values[n++] = rewrite->out;
-  values[n++] = rewrite->way == WAY_EXPAND ? rewrite->steps : rewrite->depth;
+  if (rewrite->way != WAY_INTERPRET) values[n++] = rewrite->steps;
+  if (rewrite->way != WAY_EXPAND) values[n++] = rewrite->depth;
   for (uint32_t i = 0; i < arity; i++) values[n++] = module.args[i];
-  if (keyed) values[n++] = rewrite->way == WAY_EXPAND ? module.key : image_key(ir, module.key);
+  if (keyed) values[n++] = rewrite->way == WAY_INTERPRET ? image_key(ir, module.key) : module.key;
   ir_call(ir, ir->ways[rewrite->way][kind], values, n);
   leave(ir, reader, arity, keyed);
 }
@@ -171,6 +172,19 @@ LLVMValueRef entry_homomorphism(Ir *ir) {
   Rewrite rewrite = {.scope = {.ir = ir}, .way = WAY_INTERPRET, .silent = true};
   rewrite.out = LLVMGetParam(function, 2);
   rewrite.depth = expand_depth(ir, WAY_INTERPRET);
+  word_loop(&rewrite, LLVMGetParam(function, 1));
+  return function;
+}
+
+LLVMValueRef entry_decompose(Ir *ir) {
+  bool any = false;
+  for (KindId kind = 0; kind < ir->program->kind_count; kind++) any |= ir->ways[WAY_DECOMPOSE][kind] != NULL;
+  if (!ir->state || !any) return NULL;
+  LLVMValueRef function = create(ir, "decompose", (LLVMTypeRef[]){ir->types.ptr, ir->types.ptr, ir->types.ptr});
+  ir_attribute(ir, function, 3, "noalias");
+  Rewrite rewrite = {.scope = {.ir = ir}, .way = WAY_DECOMPOSE, .steps = ir_int(ir, 0)};
+  rewrite.out = LLVMGetParam(function, 2);
+  rewrite.depth = expand_depth(ir, WAY_DECOMPOSE);
   word_loop(&rewrite, LLVMGetParam(function, 1));
   return function;
 }

@@ -128,9 +128,11 @@ static void derive(Rewrite *rewrite, const Derived *module) {
 // A module that a rewriting produced.
 void module_hand_on(Rewrite *rewrite, const Derived *module, unsigned steps) {
   (void)steps;
-  const KindFacts *facts = &rewrite->scope.ir->facts->kinds[module->kind];
+  const Ir *ir = rewrite->scope.ir;
+  const KindFacts *facts = &ir->facts->kinds[module->kind];
+  bool later = rewrite->way == WAY_STEP && ir->state;  // in an order of its own, behind the step
   if (rewrite->way != WAY_INTERPRET) {
-    if (facts->decompositions.count)
+    if (facts->decompositions.count && !later)
       pass(rewrite, WAY_DECOMPOSE, module);
     else
       derive(rewrite, module);
@@ -339,7 +341,7 @@ static void prepare(Rewrite *rewrite, const Productions *productions) {
 }
 
 static void define(Ir *ir, Way way, KindId kind) {
-  Rewrite rewrite = {.scope = {.ir = ir, .constant_values = true}, .way = way, .kind = kind};
+  Rewrite rewrite = {.scope = {.ir = ir, .constant_values = !ir->state}, .way = way, .kind = kind};
   rewrite.silent = way == WAY_INTERPRET;
   const Productions *productions = way_productions(ir, way, kind);
   debug_function(ir, ir->ways[way][kind], productions->count ? productions->at[0]->head : (Span){0, 0});

@@ -171,9 +171,37 @@ static LLVMValueRef call_random(Scope *scope, const Expr *expr, LLVMValueRef *ar
   return ir_call(ir, function, all, expr->count + 2);
 }
 
+// printf(format, values...): the values in a row.
+static LLVMValueRef call_printf(Scope *scope, const Expr *expr) {
+  Ir *ir = scope->ir;
+  uint32_t count = expr->count - 1;
+  LLVMValueRef values = ir_local(ir, ir->types.f64, count + 1, "printed");
+  for (uint32_t i = 0; i < count; i++)
+    LLVMBuildStore(ir->builder, expr_value(scope, expr->args[i + 1]),
+                   ir_advance(ir, ir->types.f64, values, ir_int(ir, i)));
+  const char *text = expr->args[0]->text;
+  LLVMValueRef format = ir_data(ir, LLVMConstStringInContext2(ir->context, text, strlen(text), false), "format");
+  LLVMTypeRef types[] = {ir->types.ptr, ir->types.ptr, ir->types.ptr, ir->types.i32};
+  LLVMValueRef args[] = {scope->run, format, values, LLVMConstInt(ir->types.i32, count, false)};
+  ir_call(ir, ir_runtime(ir, "lsys_print", ir->types.none, types, 4, IR_ANY), args, 4);
+  return ir_double(ir, 0);
+}
+
+// stop(), stop(n): n is any value that holds.
+static LLVMValueRef call_stop(Scope *scope, const Expr *expr) {
+  Ir *ir = scope->ir;
+  LLVMValueRef holds = expr->count ? expr_test(scope, expr->args[0]) : LLVMConstInt(ir->types.i1, 1, false);
+  LLVMValueRef before = ir_load(ir, ir->types.i64, scope->run, ir->types.run, RUN_STOPPED);
+  LLVMValueRef now = LLVMBuildOr(ir->builder, before, LLVMBuildZExt(ir->builder, holds, ir->types.i64, ""), "");
+  ir_store(ir, now, scope->run, ir->types.run, RUN_STOPPED);
+  return ir_double(ir, 0);
+}
+
 static LLVMValueRef call(Scope *scope, const Expr *expr) {
   Ir *ir = scope->ir;
   double number;
+  if (expr->function == LSYS_FN_PRINTF) return call_printf(scope, expr);
+  if (expr->function == LSYS_FN_STOP) return call_stop(scope, expr);
   if (expr_constant(ir->program, expr, &number)) return ir_double(ir, number);
   LLVMValueRef *args = arena_array(ir->arena, expr->count, sizeof *args);
   for (uint32_t i = 0; i < expr->count; i++) args[i] = expr_value(scope, expr->args[i]);

@@ -44,6 +44,8 @@ void counters_assign(Ir *ir) {
     mark_productions(ir, &program->lsystems[i].decomposition.productions);
     mark_productions(ir, &program->lsystems[i].homomorphism.productions);
   }
+  const Actions *blocks[] = {&program->start, &program->start_each, &program->end_each, &program->end};
+  for (int i = 0; i < 4; i++) mark_loops(ir, blocks[i], true);
 }
 
 static bool counts(const Ir *ir, const Expr *expr) {
@@ -172,9 +174,8 @@ static void run_action(Scope *scope, const Action *action) {
     return;
   }
   case ACTION_SET_ELEMENT: {
-    LLVMValueRef value = expr_value(scope, action->value);
     LLVMValueRef at = expr_element_address(scope, action->slot, action->index, action->index_count);
-    LLVMBuildStore(ir->builder, value, at);
+    LLVMBuildStore(ir->builder, expr_value(scope, action->value), at);
     return;
   }
   case ACTION_IF:
@@ -188,7 +189,7 @@ static void run_action(Scope *scope, const Action *action) {
     expr_value(scope, action->value);
     return;
   case ACTION_USE_TABLE:
-    diag_error(ir->diag, action->span, "this cannot be compiled yet; `lsysc interp` runs it");
+    ir_store(ir, ir_int(ir, action->slot), scope->run, ir->types.run, RUN_TABLE);
     return;
   }
 }

@@ -56,7 +56,7 @@ static void init_settings(Scope *scope) {
   }
 }
 
-static void init_arrays(Scope *scope) {
+void init_arrays(Scope *scope) {
   Ir *ir = scope->ir;
   for (size_t i = 0; i < ir->program->array_count; i++) {
     const Array *array = &ir->program->arrays[i];

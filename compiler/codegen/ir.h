@@ -51,7 +51,7 @@ enum {
 };
 enum { NEIGHBOUR_KIND, NEIGHBOUR_WRAP, NEIGHBOUR_ARG };
 enum { CURSOR_SYM, CURSOR_END, CURSOR_ARG, CURSOR_FOUND, CURSOR_SEGMENT, CURSOR_OPEN };
-enum { RUN_GRAMMAR, RUN_VALUE, RUN_ROOT, RUN_STEPS, RUN_BLOCK, RUN_BLOCK_LEVELS };
+enum { RUN_GRAMMAR, RUN_VALUE, RUN_ROOT, RUN_STEPS, RUN_BLOCK, RUN_BLOCK_LEVELS, RUN_TABLE, RUN_STOPPED };
 
 // A function that rewrites modules of one kind, by how it goes on with the result.
 typedef enum Way {
@@ -83,6 +83,7 @@ typedef struct Ir {
   LLVMValueRef *functions;                // user functions
   LLVMValueRef *ways[WAY_COUNT];          // per way and kind: the function, or NULL
   LLVMValueRef schedule;                  // table of each step (T0L), or NULL
+  bool state;                             // globals or blocks: everything happens in order, one after the other
   bool stepping;                          // for the step engine: a module is derived by one step at a time
   uint32_t room_sym, room_arg, room_key;  // the most that was asked for at once
 } Ir;
@@ -236,17 +237,23 @@ LLVMValueRef expand_depth(Ir *ir, Way way);  // levels that the section of WAY_D
 // entry.c: the descriptor's functions that take packed words; NULL where the grammar has no such thing.
 LLVMValueRef entry_expand(Ir *ir);
 LLVMValueRef entry_homomorphism(Ir *ir);
+LLVMValueRef entry_decompose(Ir *ir);
 
 // step.c: the descriptor's function that rewrites a word once; NULL where the expand engine does.
 LLVMValueRef step_emit(Ir *ir);
 
 // init.c
 LLVMValueRef init_emit(Ir *ir);
+void init_arrays(Scope *scope);  // gives arrays the elements that they begin with
+
+// blocks.c: Start, StartEach, EndEach, End; NULL where the grammar has no state.
+LLVMValueRef blocks_emit(Ir *ir);
+uint32_t blocks_values(const Ir *ir);  // entries of the run's value array that they keep behind the program's
 LLVMValueRef axiom_emit(Ir *ir);
 
 // freeze.c: the description as an exported constant that points at the functions.
 typedef struct Entries {
-  LLVMValueRef init, axiom, expand, step, homomorphism;
+  LLVMValueRef init, axiom, expand, step, block, decompose, homomorphism;
 } Entries;
 void freeze_grammar(Ir *ir, const Entries *entries);
 

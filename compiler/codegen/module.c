@@ -53,6 +53,8 @@ MIRROR(LsysRun, root, 8 * RUN_ROOT);
 MIRROR(LsysRun, steps, 8 * RUN_STEPS);
 MIRROR(LsysRun, block, 8 * RUN_BLOCK);
 MIRROR(LsysRun, block_levels, 8 * RUN_BLOCK_LEVELS);
+MIRROR(LsysRun, table, 8 * RUN_TABLE);
+MIRROR(LsysRun, stopped, 8 * RUN_STOPPED);
 
 static LLVMTypeRef mirror(LLVMContextRef context, const char *name, LLVMTypeRef *fields, unsigned count) {
   LLVMTypeRef type = LLVMStructCreateNamed(context, name);
@@ -77,7 +79,7 @@ static void make_types(IrTypes *t, LLVMContextRef context, bool wide) {
   t->word = MIRROR_TYPE("word", ptr, ptr, ptr, i64, i64, i64);
   t->stream = MIRROR_TYPE("stream", ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64);
   t->block = MIRROR_TYPE("block", ptr, ptr, i64, i64);
-  t->run = MIRROR_TYPE("run", ptr, ptr, i64, i64, ptr, ptr);
+  t->run = MIRROR_TYPE("run", ptr, ptr, i64, i64, ptr, ptr, i64, i64);
   t->kind = MIRROR_TYPE("kind", ptr, t->i16, t->i8, t->i8);
   t->param = MIRROR_TYPE("param", ptr, i32, f64, f64, ptr);
   t->axiom = MIRROR_TYPE("axiom", t->word);

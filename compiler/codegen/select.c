@@ -54,7 +54,9 @@ static bool test(Rewrite *rewrite, const Production *production, LLVMBasicBlockR
   Ir *ir = rewrite->scope.ir;
   if (production->table >= 0) {
     LLVMValueRef table = LLVMConstInt(ir->types.i32, (unsigned long long)production->table, false);
-    require(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, rewrite->table, table, ""), fail);
+    LLVMValueRef applies = LLVMBuildICmp(ir->builder, LLVMIntEQ, rewrite->table, table, "");
+    LLVMValueRef none = LLVMBuildICmp(ir->builder, LLVMIntSLT, rewrite->table, LLVMConstNull(ir->types.i32), "");
+    require(ir, LLVMBuildOr(ir->builder, applies, none, ""), fail);
   }
   rewrite->scope.slots = make_slots(rewrite, production);
   neighbours_require(rewrite, production, rewrite->scope.slots, fail);

@@ -247,8 +247,14 @@ static void run_loop(Loop *loop) {
   LLVMBuildRetVoid(ir->builder);
 }
 
-// The table of this step: schedule[step % count].
-static LLVMValueRef table_now(Ir *ir, LLVMValueRef scan) {
+// The table of this step: schedule[step % count], or what useTable chose.
+static LLVMValueRef table_now(const Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef scan = rewrite->step->scan;
+  if (!ir->schedule) {
+    LLVMValueRef table = ir_load(ir, ir->types.i64, rewrite->scope.run, ir->types.run, RUN_TABLE);
+    return LLVMBuildTrunc(ir->builder, table, ir->types.i32, "table");
+  }
   LLVMValueRef number = ir_load(ir, ir->types.i64, scan, ir->types.scan, SCAN_STEP);
   LLVMValueRef count = ir_int(ir, ir->program->lsystems[0].schedule_count);
   LLVMValueRef at = ir_advance(ir, ir->types.i32, ir->schedule, LLVMBuildURem(ir->builder, number, count, ""));
@@ -272,7 +278,7 @@ LLVMValueRef step_emit(Ir *ir) {
   debug_function(ir, function, (Span){0, 0});
   ir_at(ir, LLVMAppendBasicBlockInContext(ir->context, function, "entry"));
   Step step = {.scan = LLVMGetParam(function, 0)};
-  Rewrite rewrite = {.scope = {.ir = ir, .constant_values = !ir->facts->sequential}, .way = WAY_STEP, .step = &step};
+  Rewrite rewrite = {.scope = {.ir = ir, .constant_values = !ir->state}, .way = WAY_STEP, .step = &step};
   Loop loop = {.rewrite = &rewrite, .step = &step};
   step.loop = &loop;
   rewrite.out = LLVMGetParam(function, 1);
@@ -283,7 +289,7 @@ LLVMValueRef step_emit(Ir *ir) {
   loop.right = ir->description->flags & LSYS_GRAMMAR_RIGHT;
   loop.looks = loop.left || loop.right;
   if (ir->counters) step.counters = counters_create(ir);
-  if (ir->schedule) step.table = table_now(ir, step.scan);
+  if (ir->schedule || ir->state) step.table = table_now(&rewrite);
   run_loop(&loop);
   return function;
 }

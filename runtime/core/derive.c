@@ -234,8 +234,9 @@ static bool derive(Task *task) {
   const LsysGrammar *grammar = run->grammar;
   LsysStream *out = &task->writer.stream;
   if (!grammar->derive) {
+    if (grammar->block) grammar->block(run, LSYS_BLOCK_START);
     if (!pack_axiom(task->worker, task->axiom, &task->word)) return false;
-    if (run->steps == 0) return task->sink->take(task->sink, &task->word);
+    if (run->steps == 0 && !grammar->block) return task->sink->take(task->sink, &task->word);
     if (!task->derivation->expands) return lsys_stepper_run(&task->stepper, task->worker, &task->word, task->sink);
   }
   if (!task->derivation->blocks && !(task->derivation->blocks = lsys_blocks_build(task->worker))) return false;

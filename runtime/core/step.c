@@ -35,10 +35,45 @@ static void rewrite(LsysStepper *stepper, const LsysStore *from, LsysSink *to, u
   lsys_flush(&stepper->writer.stream);
 }
 
+static void run_block(LsysRun *run, uint32_t which) {
+  if (run->grammar->block) run->grammar->block(run, which);
+}
+
+// Where the grammar decomposes apart: from one store to the other. Returns the one that holds the word then.
+static unsigned decompose(LsysStepper *stepper, unsigned now) {
+  LsysRun *run = &stepper->worker->run;
+  if (!run->grammar->decompose) return now;
+  LsysWord word = lsys_store_word(&stepper->words[now]);
+  LsysStore *next = &stepper->words[!now];
+  lsys_store_clear(next);
+  stepper->writer.sink = &next->sink;
+  run->grammar->decompose(run, &word, &stepper->writer.stream);
+  lsys_flush(&stepper->writer.stream);
+  return !now;
+}
+
+// Steps between blocks, which may stop them: the last word is known only behind it.
+static bool run_with_blocks(LsysStepper *stepper, LsysSink *sink) {
+  LsysRun *run = &stepper->worker->run;
+  unsigned now = 0;
+  for (uint64_t step = 0; step < run->steps && !run->stopped; step++) {
+    LsysStore *next = &stepper->words[!now];
+    run_block(run, LSYS_BLOCK_START_EACH);
+    lsys_store_clear(next);
+    rewrite(stepper, &stepper->words[now], &next->sink, step);
+    now = decompose(stepper, !now);
+    run_block(run, LSYS_BLOCK_END_EACH);
+  }
+  run_block(run, LSYS_BLOCK_END);
+  LsysWord word = lsys_store_word(&stepper->words[now]);
+  return sink->take(sink, &word);
+}
+
 bool lsys_stepper_run(LsysStepper *stepper, LsysWorker *worker, const LsysWord *axiom, LsysSink *sink) {
   uint64_t steps = worker->run.steps;
-  if (!steps) return sink->take(sink, axiom);
+  if (!steps && !worker->run.grammar->block) return sink->take(sink, axiom);
   if (!open_stepper(stepper, worker) || !stepper->words[0].sink.take(&stepper->words[0].sink, axiom)) return false;
+  if (worker->run.grammar->block) return run_with_blocks(stepper, sink);
   unsigned now = 0;
   for (uint64_t step = 0; step < steps; step++, now = !now) {
     LsysStore *next = &stepper->words[!now];

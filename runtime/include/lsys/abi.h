@@ -77,6 +77,8 @@ struct LsysRun {
   uint64_t steps;                 // of the whole derivation
   const LsysBlock *const *block;  // block[kind][s], s < block_levels[kind]: what a fixed kind is after s steps
   const uint64_t *block_levels;   // 0 for a kind without blocks
+  int64_t table;                  // the table that `useTable` chose; -1: none yet, all apply
+  int64_t stopped;                // not 0: `stop` was called, this step is the last
 };
 
 typedef struct LsysParam {
@@ -130,6 +132,9 @@ typedef struct LsysSurface {
   const uint32_t *corner;  // three vertices a triangle
 } LsysSurface;
 
+// The statement blocks of a grammar.
+enum { LSYS_BLOCK_START, LSYS_BLOCK_START_EACH, LSYS_BLOCK_END_EACH, LSYS_BLOCK_END };
+
 struct LsysGrammar {
   uint32_t abi_version;
   uint32_t flags;
@@ -165,6 +170,12 @@ struct LsysGrammar {
   void (*step)(LsysScan *scan, LsysStream *out);
   const uint8_t *context_class;  // LSYS_CLASS_* of each kind
   uint32_t left_window;          // the most modules that a left context asks for
+
+  // Runs a block, LSYS_BLOCK_*; Start first resets globals, arrays, table and stopped. NULL: the grammar has no state.
+  void (*block)(LsysRun *run, uint32_t which);
+
+  // Grammars with state: decomposes a whole word behind a step, in order. NULL: `step` has done so.
+  void (*decompose)(LsysRun *run, const LsysWord *in, LsysStream *out);
 
   // The interpreter: derives axiom `which` by `steps` steps and writes the result to out. NULL in compiled grammars.
   void (*derive)(LsysRun *run, uint32_t which, uint64_t steps, LsysStream *out, void *data);
