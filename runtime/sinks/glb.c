@@ -5,7 +5,6 @@
 #include "core/message.h"
 #include "core/out.h"
 #include "sinks/model.h"
-#include "sinks/picture.h"
 #include "sinks/spool.h"
 
 #include <math.h>
@@ -27,14 +26,16 @@ enum {
 
 typedef struct Glb {
   LsysModel model;
+  const LsysPalette *palette;
   LsysOut *out;
   LsysSpool vertex, triangle, edge;
   float low[3], high[3];
   uint8_t linear[256];  // from the palette's sRGB to glTF's linear light
 } Glb;
 
-static bool open_model(LsysModel *model) {
+static bool open_model(LsysModel *model, const LsysPalette *palette) {
   Glb *g = (Glb *)model;
+  g->palette = palette;
   for (int i = 0; i < 256; i++) {
     double c = i / 255.0;
     c = c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
@@ -53,7 +54,7 @@ static void pack(Glb *g, const LsysVertex *v, uint8_t *to) {
     g->low[i] = fminf(g->low[i], place[i]);
     g->high[i] = fmaxf(g->high[i], place[i]);
   }
-  uint32_t rgb = lsys_palette(v->colour, true);
+  uint32_t rgb = g->palette->rgb[v->colour];
   memcpy(to, v, 6 * sizeof(float));
   to[24] = g->linear[rgb >> 16 & 255];
   to[25] = g->linear[rgb >> 8 & 255];

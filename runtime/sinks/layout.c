@@ -28,7 +28,7 @@ void lsys_layout_destroy(LsysLayout *layout) {
 
 bool lsys_layout_add(LsysLayout *layout, uint32_t which, const LsysMeasure *m) {
   if (!lsys_measure_any(m)) return true;
-  layout->figure[which] = (LsysFigure){.drawn = true, .low = m->low, .high = m->high};
+  layout->figure[which] = (LsysFigure){.drawn = true, .segments = m->segments, .low = m->low, .high = m->high};
   layout->segments += m->segments;
   layout->length += m->length;
   layout->thinnest = fmin(layout->thinnest, m->thinnest);

@@ -8,6 +8,7 @@
 // Where a figure lies: a point p is at (x + p.x * scale, y - p.y * scale) on the page.
 typedef struct LsysFigure {
   bool drawn;
+  uint64_t segments;
   LsysVec3 low, high;  // its box, in the coordinates that the page shows
   double x, y;
 } LsysFigure;

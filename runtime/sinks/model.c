@@ -20,6 +20,8 @@ typedef struct ModelSink {
   LsysTurtle *turtle;
   LsysMeasure measure;
   LsysLayout layout;
+  LsysPalette palette;
+  LsysRecolour recolour;
   LsysTubes tubes;
   uint32_t current;
   bool open, drawing;
@@ -41,7 +43,8 @@ static bool open_model(ModelSink *m) {
   m->tubes.width = m->layout.unit / m->layout.scale;
   m->tubes.sides = choose_sides(m);
   m->open = true;
-  return m->model->open(m->model);
+  lsys_palette_make(&m->palette, &m->options.colours, true);
+  return m->model->open(m->model, &m->palette);
 }
 
 // The first figure stays where the turtle drew it; the others move beside it.
@@ -73,7 +76,9 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   if (!m->open && !open_model(m)) return false;
   m->tubes.shift = shift_of(m);
   if (m->model->group && !m->model->group(m->model, axiom)) return false;
-  lsys_turtle_begin(m->turtle, axiom, &m->tubes.geometry);
+  uint64_t segments = m->layout.figure[axiom].segments;
+  lsys_turtle_begin(m->turtle, axiom,
+                    lsys_recolour_begin(&m->recolour, &m->options.colours, segments, m->turtle, &m->tubes.geometry));
   return true;
 }
 

@@ -4,12 +4,13 @@
 #ifndef LSYS_SINKS_MODEL_H
 #define LSYS_SINKS_MODEL_H
 
+#include "sinks/colours.h"
 #include "sinks/sink.h"
-#include "turtle/geometry.h"
 
 typedef struct LsysModelOptions {
   double line_width;  // pixels of a width of 1 on a page of 1000 for the figure; nan: as pictures choose it
   uint32_t sides;     // of a tube; 0: chosen by the number of segments; 1: lines
+  LsysColours colours;
 } LsysModelOptions;
 
 typedef struct LsysVertex {
@@ -24,7 +25,7 @@ typedef struct LsysModel LsysModel;
 // What a format does with them. Numbers of vertices count from 0 through the whole model; triangles and
 // edges name vertices that came before. Each returns false to stop after printing an error.
 struct LsysModel {
-  bool (*open)(LsysModel *model);
+  bool (*open)(LsysModel *model, const LsysPalette *palette);  // which outlives the model
   bool (*group)(LsysModel *model,
                 uint32_t axiom);  // what follows belongs to the figure of this start word; may be NULL
   bool (*vertices)(LsysModel *model, const LsysVertex *vertex, size_t count);

@@ -15,6 +15,7 @@ static bool read_options(const LsysOptions *given, LsysModelOptions *options) {
     lsys_error("--line-width %s: it is the width in pixels of a line of width 1, more than 0", width->text);
     return false;
   }
+  if (!lsys_colours_read(given, &options->colours)) return false;
   if (!sides->given || sides->whole == 1 || (sides->whole >= 3 && sides->whole <= 64)) return true;
   lsys_error("--sides %s: a tube has 3 to 64 sides; 1 draws lines", sides->text);
   return false;

@@ -5,20 +5,21 @@
 #include "core/message.h"
 #include "core/out.h"
 #include "sinks/model.h"
-#include "sinks/picture.h"
 
 #include <stdlib.h>
 
 typedef struct Obj {
   LsysModel model;
+  const LsysPalette *palette;
   LsysOut *out, *mtl;  // mtl NULL: no materials
   char *mtl_name;      // owned
   int colour;          // of the last usemtl, -1 at the start
   bool used[256];
 } Obj;
 
-static bool open_model(LsysModel *model) {
+static bool open_model(LsysModel *model, const LsysPalette *palette) {
   Obj *o = (Obj *)model;
+  o->palette = palette;
   lsys_out_print(o->out, "# made by lsysc\n");
   return !o->mtl || lsys_out_print(o->out, "mtllib %s\n", o->mtl_name);
 }
@@ -34,7 +35,7 @@ static double channel(uint32_t rgb, int shift) {
 static bool vertices(LsysModel *model, const LsysVertex *v, size_t count) {
   Obj *o = (Obj *)model;
   for (size_t i = 0; i < count; i++, v++) {
-    uint32_t rgb = lsys_palette(v->colour, true);
+    uint32_t rgb = o->palette->rgb[v->colour];
     lsys_out_print(o->out, "v %.7g %.7g %.7g %.3g %.3g %.3g\n", (double)v->x, (double)v->y, (double)v->z,
                    channel(rgb, 16), channel(rgb, 8), channel(rgb, 0));
     if (!lsys_out_print(o->out, "vn %.4g %.4g %.4g\n", (double)v->nx, (double)v->ny, (double)v->nz)) return false;
@@ -73,7 +74,7 @@ static bool close_model(LsysModel *model) {
   if (!o->mtl) return true;
   for (unsigned i = 0; i < 256; i++) {
     if (!o->used[i]) continue;
-    uint32_t rgb = lsys_palette((uint8_t)i, true);
+    uint32_t rgb = o->palette->rgb[i];
     lsys_out_print(o->mtl, "newmtl c%u\nKd %.4g %.4g %.4g\nKa 0 0 0\nKs 0 0 0\nillum 1\n", i, channel(rgb, 16),
                    channel(rgb, 8), channel(rgb, 0));
   }

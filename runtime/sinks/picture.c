@@ -26,6 +26,8 @@ typedef struct Picture {
   LsysTurtle *turtle;
   LsysMeasure measure;
   LsysLayout layout;
+  LsysPalette palette;
+  LsysRecolour recolour;
   LsysPage page;
   bool solid;     // seen by a camera
   bool open;      // the page
@@ -63,7 +65,7 @@ static LsysPoint on_page(const Picture *p, LsysVec3 v) {
 
 // A width of 0 is still seen.
 static LsysInk ink_of(const Picture *p, const LsysPen *pen, double factor) {
-  return (LsysInk){fmax(pen->width * p->layout.unit * factor, 0.05), lsys_palette(pen->colour, p->solid)};
+  return (LsysInk){fmax(pen->width * p->layout.unit * factor, 0.05), p->palette.rgb[pen->colour]};
 }
 
 static bool draw_stroke(Picture *p, const LsysVec3 *v, size_t count, const LsysPen *pen, bool joined) {
@@ -134,7 +136,7 @@ static bool polygon(LsysGeometry *geometry, const LsysVec3 *vertices, size_t cou
     return p->measure.geometry.polygon(&p->measure.geometry, p->corner, count, pen);
   }
   for (size_t i = 0; i < count; i++) p->place[i] = on_page(p, vertices[i]);
-  return p->canvas->fill(p->canvas, p->place, NULL, count, lsys_palette(pen->colour, p->solid));
+  return p->canvas->fill(p->canvas, p->place, NULL, count, p->palette.rgb[pen->colour]);
 }
 
 static bool mesh(LsysGeometry *geometry, const LsysMesh *mesh, const LsysPlace *place, const LsysPen *pen) {
@@ -158,7 +160,7 @@ static bool mesh(LsysGeometry *geometry, const LsysMesh *mesh, const LsysPlace *
     if (!drawing(p)) {
       for (int k = 0; k < 3; k++) corner[k] = seen(p, corner[k]);
       p->measure.geometry.polygon(&p->measure.geometry, corner, 3, pen);
-    } else if (!p->canvas->fill(p->canvas, at, mesh->normal ? normal : NULL, 3, lsys_palette(pen->colour, p->solid))) {
+    } else if (!p->canvas->fill(p->canvas, at, mesh->normal ? normal : NULL, 3, p->palette.rgb[pen->colour])) {
       return false;
     }
   }
@@ -185,7 +187,7 @@ static bool ball(LsysGeometry *geometry, const LsysVec3 *centre, double diameter
     return p->measure.geometry.ball(&p->measure.geometry, &middle, diameter, disc, pen);
   }
   LsysPoint at[2] = {on_page(p, *centre), on_page(p, *centre)};
-  LsysInk ink = {diameter * p->layout.scale, lsys_palette(pen->colour, p->solid)};
+  LsysInk ink = {diameter * p->layout.scale, p->palette.rgb[pen->colour]};
   if (disc && p->solid) return draw_disc(p, at[0], ink.width / 2, ink.rgb);
   return p->canvas->line(p->canvas, at, 2, &ink, false);
 }
@@ -199,7 +201,7 @@ static bool label(LsysGeometry *geometry, const LsysVec3 *at, const char *text, 
   double longest = fmax(p->page.width, p->page.height);
   LsysPoint place = on_page(p, *at);
   place.z += 2 * longest;  // before everything
-  return lsys_digits(p->canvas, text, place, 0.014 * longest, lsys_palette(pen->colour, p->solid));
+  return lsys_digits(p->canvas, text, place, 0.014 * longest, p->palette.rgb[pen->colour]);
 }
 
 // ---- passes --------------------------------------------------------------
@@ -227,7 +229,15 @@ static bool start(Picture *p, const LsysRun *run) {
   if (!p->eye || !lsys_layout_create(&p->layout, figures)) return false;
   p->turtle = lsys_turtle_create(run);
   if (p->turtle) choose_view(p);
+  lsys_palette_make(&p->palette, &p->options.colours, p->solid);
   return p->turtle != NULL;
+}
+
+// What the turtle draws to in this pass.
+static LsysGeometry *target(Picture *p) {
+  if (!drawing(p)) return p->solid ? &p->geometry : &p->measure.geometry;
+  uint64_t segments = p->layout.figure[p->current].segments;
+  return lsys_recolour_begin(&p->recolour, &p->options.colours, segments, p->turtle, &p->geometry);
 }
 
 static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
@@ -240,8 +250,7 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   } else {
     lsys_measure_begin(&p->measure, true);
   }
-  bool direct = !p->solid && !drawing(p);
-  lsys_turtle_begin(p->turtle, axiom, direct ? &p->measure.geometry : &p->geometry);
+  lsys_turtle_begin(p->turtle, axiom, target(p));
   return true;
 }
 

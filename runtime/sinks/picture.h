@@ -4,8 +4,8 @@
 #ifndef LSYS_SINKS_PICTURE_H
 #define LSYS_SINKS_PICTURE_H
 
+#include "sinks/colours.h"
 #include "sinks/sink.h"
-#include "turtle/geometry.h"
 
 #include <stddef.h>
 
@@ -18,6 +18,7 @@ typedef struct LsysPictureOptions {
   double azimuth,
     elevation;  // of the camera, in degrees; nan: from before, or a little from the side for figures in space
   bool perspective;
+  LsysColours colours;
 } LsysPictureOptions;
 
 // 1000 pixels, white, anti-aliased.
@@ -60,9 +61,6 @@ LsysSink *lsys_picture_create(LsysCanvas *canvas, const LsysPictureOptions *opti
 // A canvas that draws figures in space, lit and from back to front, on one without depth, which it destroys in the
 // end; other figures as they come. NULL after printing why.
 LsysCanvas *lsys_canvas_sorted(LsysCanvas *inner);
-
-// palette.c: the colour of an index, 0xRRGGBB; for things in the light the ink is lighter.
-uint32_t lsys_palette(uint8_t index, bool solid);
 
 // Sinks over an output; the output is not committed. NULL after printing why.
 struct LsysOut;

@@ -34,39 +34,11 @@ static bool read_size(const LsysOptionValue *value, LsysPictureOptions *options)
   return false;
 }
 
-typedef struct NamedColour {
-  const char *name;
-  uint32_t rgb;
-} NamedColour;
-
-static const NamedColour named[] = {
-  {"white", 0xffffff}, {"black", 0x000000}, {"grey", 0x808080},  {"gray", 0x808080}, {"paper", 0xfbf7ec},
-  {"night", 0x10141c}, {"red", 0xc23b22},   {"green", 0x2e8b3d}, {"blue", 0x2d6cb5}, {"yellow", 0xf4d35e},
-};
-
-// "#rrggbb", "#rgb" or a name.
-static bool read_colour(const char *text, uint32_t *rgb) {
-  for (size_t i = 0; i < sizeof named / sizeof *named; i++) {
-    if (strcmp(named[i].name, text) == 0) {
-      *rgb = named[i].rgb;
-      return true;
-    }
-  }
-  if (*text == '#') text++;
-  size_t length = strspn(text, "0123456789abcdefABCDEF");
-  if (text[length] || (length != 6 && length != 3)) return false;
-  uint32_t value = (uint32_t)strtoul(text, NULL, 16);
-  *rgb = length == 6 ? value : (value & 0xf00) * 0x1100 | (value & 0xf0) * 0x110 | (value & 0xf) * 0x11;
-  return true;
-}
-
 static bool read_background(const LsysOptionValue *value, LsysPictureOptions *options) {
   if (!value->given) return true;
   options->transparent = strcmp(value->text, "transparent") == 0;
-  if (options->transparent || read_colour(value->text, &options->background)) return true;
-  lsys_error("--background %s: a colour is #rrggbb, white, black, paper, night, grey, red, green, blue, yellow, or "
-             "transparent",
-             value->text);
+  if (options->transparent || lsys_colour_read(value->text, strlen(value->text), &options->background)) return true;
+  lsys_error("--background %s: a colour is #rrggbb, a name such as white or paper, or transparent", value->text);
   return false;
 }
 
@@ -115,7 +87,7 @@ static bool read_options(const LsysOptions *given, LsysPictureOptions *options) 
   return read_size(&given->at[LSYS_OPTION_PAGE_SIZE], options) && read_camera(&given->at[LSYS_OPTION_CAMERA], options)
       && read_projection(&given->at[LSYS_OPTION_PROJECTION], options)
       && read_background(&given->at[LSYS_OPTION_BACKGROUND], options)
-      && read_antialias(&given->at[LSYS_OPTION_ANTIALIAS], options)
+      && read_antialias(&given->at[LSYS_OPTION_ANTIALIAS], options) && lsys_colours_read(given, &options->colours)
       && read_line_width(&given->at[LSYS_OPTION_LINE_WIDTH], options);
 }
 

@@ -4,7 +4,6 @@
 #include "core/message.h"
 #include "core/out.h"
 #include "sinks/model.h"
-#include "sinks/picture.h"
 #include "sinks/spool.h"
 
 #include <stdlib.h>
@@ -14,12 +13,14 @@ enum { VERTEX = 6 * 4 + 3, FACE = 1 + 3 * 4, EDGE = 2 * 4, BATCH = 512 };
 
 typedef struct Ply {
   LsysModel model;
+  const LsysPalette *palette;
   LsysOut *out;
   LsysSpool vertex, face, edge;
 } Ply;
 
-static bool open_model(LsysModel *model) {
+static bool open_model(LsysModel *model, const LsysPalette *palette) {
   Ply *p = (Ply *)model;
+  p->palette = palette;
   return lsys_spool_open(&p->vertex) && lsys_spool_open(&p->face) && lsys_spool_open(&p->edge);
 }
 
@@ -28,7 +29,7 @@ static bool vertices(LsysModel *model, const LsysVertex *v, size_t count) {
   while (count) {
     size_t n = count < BATCH ? count : BATCH;
     for (size_t i = 0; i < n; i++) {
-      uint32_t rgb = lsys_palette(v[i].colour, true);
+      uint32_t rgb = ((Ply *)model)->palette->rgb[v[i].colour];
       uint8_t *to = bytes + i * VERTEX;
       memcpy(to, &v[i], 6 * sizeof(float));
       to[24] = (uint8_t)(rgb >> 16);

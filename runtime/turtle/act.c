@@ -105,8 +105,20 @@ static bool arguments_finite(const KindInfo *kind, const double *arg) {
   return true;
 }
 
+static bool sets_colour(uint8_t op) {
+  return actions[op] == act_colour_up || actions[op] == act_colour_down || actions[op] == act_colour_add
+      || actions[op] == act_colour_subtract;
+}
+
 bool turtle_act(LsysTurtle *t, uint32_t kind, const double *arg) {
   const KindInfo *info = &t->kind[kind];
+  if (t->by_kind) {
+    if (info->colour == KEEP_COLOUR && sets_colour(info->op)) return true;
+    if (info->colour != KEEP_COLOUR && info->colour != t->state.colour) {
+      turtle_change_pen(t);
+      t->state.colour = info->colour;
+    }
+  }
   if (t->skip_next) return turtle_draw_surface(t, kind, arg);
   TurtleAction *action = actions[info->op];
   const int given = info->arity;

@@ -47,10 +47,11 @@ typedef struct KindInfo {
   uint8_t op;        // LsysTurtleOp
   uint8_t arity;     // saturates at 255
   uint16_t width;    // arity, exact
+  uint8_t colour;    // with by_kind: of what comes next
   uint32_t surface;  // the grammar's surface of this name, or NO_SURFACE
 } KindInfo;
 
-enum { NO_SURFACE = UINT16_MAX };
+enum { NO_SURFACE = UINT16_MAX, KEEP_COLOUR = UINT8_MAX };
 
 struct LsysTurtle {
   const LsysRun *run;
@@ -61,6 +62,7 @@ struct LsysTurtle {
   bool in_page;       // z stays 0
   bool plain;         // the fast loop can be used
   bool skip_next;     // the module behind `~`
+  bool by_kind;       // colours come from kinds (KindInfo.colour)
   bool by_depth;      // strokes end where brackets begin, too, and know how deep they are
   size_t state_size;  // bytes of State that brackets save
 

@@ -128,7 +128,8 @@ static uint32_t surface_of(const LsysGrammar *g, const char *symbol) {
 
 static void set_kind(LsysTurtle *t, uint32_t i, const LsysKind *kind) {
   uint32_t surface = surface_of(t->run->grammar, kind->symbol);
-  t->kind[i] = (KindInfo){kind->turtle, (uint8_t)(kind->arity > 255 ? 255 : kind->arity), kind->arity, surface};
+  t->kind[i] =
+    (KindInfo){kind->turtle, (uint8_t)(kind->arity > 255 ? 255 : kind->arity), kind->arity, KEEP_COLOUR, surface};
   PlainKind *p = &t->plain_kind[i];
   *p = (PlainKind){.act = PLAIN_OTHER};
   const uint32_t n = t->directions.count, angle = t->directions.angle, back = (n - angle) % n;
@@ -242,6 +243,22 @@ bool lsys_turtle_flat(const LsysTurtle *t) {
 
 void lsys_turtle_by_depth(LsysTurtle *t) {
   t->by_depth = true;
+}
+
+static bool draws(uint8_t op) {
+  return op == LSYS_TURTLE_DRAW || op == LSYS_TURTLE_DRAW_NO_VERTEX || op == LSYS_TURTLE_SECOND_DRAW;
+}
+
+void lsys_turtle_by_kind(LsysTurtle *t) {
+  uint32_t kinds = t->run->grammar->kind_count, drawing = 0;
+  for (uint32_t i = 0; i < kinds; i++) drawing += draws(t->kind[i].op);
+  uint8_t next = 0;
+  for (uint32_t i = 0; i < kinds; i++) {
+    bool counts = drawing > 1 ? draws(t->kind[i].op) : t->kind[i].op == LSYS_TURTLE_NONE;
+    t->kind[i].colour = counts && next < KEEP_COLOUR ? next++ : KEEP_COLOUR;
+  }
+  t->by_kind = true;
+  t->plain = false;
 }
 
 // ---- reading -------------------------------------------------------------

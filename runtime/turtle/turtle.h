@@ -20,6 +20,10 @@ bool lsys_turtle_flat(const LsysTurtle *turtle);
 // Strokes shall know how many brackets were open where they were drawn (LsysPen.depth, else 0): they end at `[`, too.
 void lsys_turtle_by_depth(LsysTurtle *turtle);
 
+// What is drawn shall have the colour of the module that draws it, counted from 0 in the grammar's order; where all
+// segments are drawn by one kind, of the last module that the turtle ignores, counted likewise.
+void lsys_turtle_by_kind(LsysTurtle *turtle);
+
 // Starts the word of an axiom, drawn to `to`: the turtle stands at the origin, its state as the settings say.
 void lsys_turtle_begin(LsysTurtle *turtle, uint32_t axiom, LsysGeometry *to);
 

@@ -13,6 +13,8 @@
 
 #include <cmocka.h>
 
+enum { INK = 0x41342a };  // index 0 of the palette
+
 typedef LsysSink *Create(LsysOut *out, const LsysPictureOptions *options);
 
 static const char *const PATH = "test_pictures.out";
@@ -92,6 +94,25 @@ static void nothing_and_too_much(void **state) {
   sample_release(s);
 }
 
+// By progress the hues go round: from red. A stroke is cut where its colour changes.
+static void colours_by_progress_and_order(void **state) {
+  (void)state;
+  LsysPictureOptions options = lsys_picture_defaults;
+  options.colours.by = LSYS_BY_PROGRESS;
+  char *text = svg_of("FFFFFFFFF", 90, 1, &options);
+  assert_holds(text, "stroke=\"#d62f2a");
+  int groups = 0;
+  for (char *at = text; (at = strstr(at, "<path")); at++) groups++;
+  assert_int_equal(groups, 9);
+  free(text);
+  options.colours = (LsysColours){LSYS_BY_ORDER, "red,#00f,#123456"};
+  text = svg_of("F[+F[+F]]", 90, 1, &options);
+  assert_holds(text, "stroke=\"#c23b22");
+  assert_holds(text, "stroke=\"#0000ff");
+  assert_holds(text, "stroke=\"#123456");
+  free(text);
+}
+
 // Pixels of the PNG that a word gives, RGBA; to be freed.
 static uint8_t *png_of(const char *word, double angle, const LsysPictureOptions *options) {
   Sample *s = sample(word, angle);
@@ -120,7 +141,7 @@ static void png_covers_lines(void **state) {
   options.height = 100;
   options.line_width = 5;
   uint8_t *p = png_of("F", 90, &options);
-  uint32_t ink = lsys_palette(0, false) << 8 | 0xff;
+  uint32_t ink = (uint32_t)INK << 8 | 0xff;
   for (uint32_t y = 10; y < 90; y++) {
     assert_int_equal(pixel(p, 51, 25, y), ink);
     assert_int_equal(pixel(p, 51, 23, y), ink);
@@ -142,7 +163,7 @@ static void png_smooths_edges(void **state) {
   options.height = 100;
   options.line_width = 6;
   uint8_t *p = png_of("F|F", 90, &options);
-  uint32_t ink = lsys_palette(0, false) >> 16, edge = pixel(p, 51, 22, 50) >> 24;
+  uint32_t ink = INK >> 16, edge = pixel(p, 51, 22, 50) >> 24;
   assert_true(abs((int)edge - (int)(255 + ink) / 2) <= 1);
   free(p);
 }
@@ -152,7 +173,7 @@ static void png_fills_polygons(void **state) {
   LsysPictureOptions options = lsys_picture_defaults;
   options.width = options.height = 100;
   uint8_t *p = png_of("{f-f-f-f}", 90, &options);
-  uint32_t ink = lsys_palette(0, false) << 8 | 0xff;
+  uint32_t ink = (uint32_t)INK << 8 | 0xff;
   assert_int_equal(pixel(p, 100, 5, 5), ink);
   assert_int_equal(pixel(p, 100, 94, 94), ink);
   assert_int_equal(pixel(p, 100, 50, 3), 0xffffffff);
@@ -162,10 +183,15 @@ static void png_fills_polygons(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-    cmocka_unit_test(svg_fits_the_page),   cmocka_unit_test(svg_joins_and_groups),
-    cmocka_unit_test(polygons_are_filled), cmocka_unit_test(figures_stand_side_by_side),
-    cmocka_unit_test(png_covers_lines),    cmocka_unit_test(nothing_and_too_much),
-    cmocka_unit_test(png_smooths_edges),   cmocka_unit_test(png_fills_polygons),
+    cmocka_unit_test(svg_fits_the_page),
+    cmocka_unit_test(svg_joins_and_groups),
+    cmocka_unit_test(polygons_are_filled),
+    cmocka_unit_test(figures_stand_side_by_side),
+    cmocka_unit_test(png_covers_lines),
+    cmocka_unit_test(nothing_and_too_much),
+    cmocka_unit_test(colours_by_progress_and_order),
+    cmocka_unit_test(png_smooths_edges),
+    cmocka_unit_test(png_fills_polygons),
   };
   return cmocka_run_group_tests_name("pictures", tests, NULL, NULL);
 }
