@@ -106,20 +106,10 @@ static bool decomposes(const Program *program) {
   return false;
 }
 
-// Queries are filled in from a turtle and an environment, which this interpreter does not have.
-static void refuse_queries(LsysRun *run, const Program *program) {
-  for (size_t k = 0; k < program->kind_count; k++) {
-    const char *symbol = program->kinds[k].symbol;
-    if (symbol[0] == '?' && symbol[1])
-      lsys_fail(run, "%s: queries of the turtle and environments are not supported", symbol);
-  }
-}
-
 static void derive(LsysRun *run, uint32_t which, uint64_t steps, LsysStream *out, void *data) {
   Interp *interp = begin(run, &((Pair *)data)->derivation);
   const Program *program = interp->program;
   Scope *blocks = &interp->blocks;
-  refuse_queries(run, program);
   reset_globals(program, run->value);
   begin_values(blocks);
   blocks->table = -1;
