@@ -40,7 +40,7 @@ static bool open_model(ModelSink *m) {
   options.line_width = m->options.line_width;
   LsysPage page = {.solid = true};
   lsys_layout_fit(&m->layout, &options, &page);
-  m->tubes.width = m->layout.unit / m->layout.scale;
+  m->tubes.width = lsys_turtle_widths_are_lengths(m->turtle) ? 1 : m->layout.unit / m->layout.scale;
   m->tubes.sides = choose_sides(m);
   m->open = true;
   lsys_palette_make(&m->palette, &m->options.colours, true);

@@ -209,6 +209,7 @@ static bool label(LsysGeometry *geometry, const LsysVec3 *at, const char *text, 
 static bool open_page(Picture *p) {
   p->page.solid = p->solid;
   lsys_layout_fit(&p->layout, &p->options, &p->page);
+  if (lsys_turtle_widths_are_lengths(p->turtle)) p->layout.unit = p->layout.scale;
   p->open = true;
   return p->canvas->open(p->canvas, &p->page);
 }

@@ -10,11 +10,7 @@ bool turtle_push(LsysTurtle *t) {
   if (t->by_depth) turtle_change_pen(t);
   if (!turtle_grow(&t->stack, &t->stack_room, t->depth + 1, t->state_size)) return false;
   unsigned char *top = t->stack + t->depth++ * t->state_size;
-  if (t->state_size == STATE_SMALL) {
-    memcpy(top, &t->state, STATE_SMALL);
-  } else {
-    memcpy(top, &t->state, sizeof t->state);
-  }
+  memcpy(top, &t->state, t->state_size);
   return true;
 }
 
@@ -25,11 +21,7 @@ bool turtle_pop(LsysTurtle *t) {
   }
   turtle_change_pen(t);
   const unsigned char *top = t->stack + --t->depth * t->state_size;
-  if (t->state_size == STATE_SMALL) {
-    memcpy(&t->state, top, STATE_SMALL);
-  } else {
-    memcpy(&t->state, top, sizeof t->state);
-  }
+  memcpy(&t->state, top, t->state_size);
   turtle_jump(t);
   return true;
 }
@@ -90,6 +82,15 @@ static TurtleAction *const actions[LSYS_TURTLE_COUNT] = {
   [LSYS_TURTLE_SPHERE] = act_sphere,
   [LSYS_TURTLE_BOX] = act_box,
   [LSYS_TURTLE_LABEL] = act_label,
+  [LSYS_TURTLE_CYLINDER_BEGIN] = act_cylinder_begin,
+  [LSYS_TURTLE_CYLINDER_POINT] = act_cylinder_point,
+  [LSYS_TURTLE_CYLINDER_END] = act_cylinder_end,
+  [LSYS_TURTLE_CYLINDER_TANGENT] = act_cylinder_tangent,
+  [LSYS_TURTLE_CONTOUR] = act_contour,
+  [LSYS_TURTLE_SIDES] = act_sides,
+  [LSYS_TURTLE_PATCH_BEGIN] = act_patch_begin,
+  [LSYS_TURTLE_PATCH_POINT] = act_patch_point,
+  [LSYS_TURTLE_PATCH_DRAW] = act_patch_draw,
   [LSYS_TURTLE_VERTICAL_AT] = act_vertical,
   [LSYS_TURTLE_COLOUR_NEXT] = act_colour_up,
   [LSYS_TURTLE_PUSH] = act_push,

@@ -27,6 +27,12 @@ TurtleAction act_width, act_width_up, act_colour_up, act_colour_down, act_colour
 LsysPen turtle_pen(const LsysTurtle *t);
 double turtle_width(const LsysTurtle *t, double width);  // scaled, not negative
 
+// sweep.c
+TurtleAction act_cylinder_begin, act_cylinder_point, act_cylinder_end, act_cylinder_tangent, act_contour, act_sides;
+TurtleAction act_patch_begin, act_patch_point, act_patch_draw;
+bool turtle_spline_node(LsysTurtle *t);  // `.` and moves inside `{(n)`
+bool turtle_spline_draw(LsysTurtle *t);  // `}`
+
 // shapes.c
 TurtleAction act_surface, act_circle, act_disc, act_sphere, act_box, act_label;
 bool turtle_draw_surface(LsysTurtle *t, uint32_t kind, const double *arg);  // the module behind `~`

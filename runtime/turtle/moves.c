@@ -12,6 +12,7 @@ static double length_of(const LsysTurtle *t, int given, const double *arg) {
 }
 
 static bool vertex(LsysTurtle *t) {
+  if (t->splining) return turtle_spline_node(t);
   LsysVec3 p = turtle_out(t, (LsysVec3){t->state.at[0], t->state.at[1], t->state.z});
   if (t->vertices > t->polygon[t->polygons - 1]) {
     const LsysVec3 *last = &t->vertex[t->vertices - 1];
@@ -24,8 +25,9 @@ static bool vertex(LsysTurtle *t) {
 
 // Moves; records an edge of the open polygon if `edge`.
 static bool move(LsysTurtle *t, LsysVec3 direction, double length, bool draw, bool edge) {
-  edge = edge && t->polygons;
-  if (edge && t->vertices == t->polygon[t->polygons - 1] && !vertex(t)) return false;
+  edge = edge && (t->polygons || t->splining);
+  bool first = t->splining ? t->sweep.nodes == 0 : edge && t->vertices == t->polygon[t->polygons - 1];
+  if (edge && first && !vertex(t)) return false;
   go(t, direction, length);
   turtle_bend(t);
   if (draw) {
@@ -113,9 +115,13 @@ bool act_scale_down(LsysTurtle *t, int given, const double *arg) {
 
 // ---- polygons ------------------------------------------------------------
 
+// `{(n)` with n other than 0 begins a generalised cylinder.
 bool act_polygon_begin(LsysTurtle *t, int given, const double *arg) {
-  (void)given;
-  (void)arg;
+  if (given && arg[0] != 0) {
+    t->splining = true;
+    t->sweep.nodes = 0;
+    return true;
+  }
   if (!turtle_grow(&t->polygon, &t->polygon_room, t->polygons + 1, sizeof *t->polygon)) return false;
   t->polygon[t->polygons++] = t->vertices;
   t->polygon_place = t->read;
@@ -125,12 +131,16 @@ bool act_polygon_begin(LsysTurtle *t, int given, const double *arg) {
 bool act_polygon_vertex(LsysTurtle *t, int given, const double *arg) {
   (void)given;
   (void)arg;
-  return !t->polygons || vertex(t);
+  return !(t->polygons || t->splining) || vertex(t);
 }
 
 bool act_polygon_end(LsysTurtle *t, int given, const double *arg) {
   (void)given;
   (void)arg;
+  if (t->splining) {
+    t->splining = false;
+    return turtle_spline_draw(t);
+  }
   if (!t->polygons) {
     turtle_warn(t, WARN_CLOSE, t->read, "'}' without '{' is left out");
     return true;

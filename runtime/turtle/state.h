@@ -12,6 +12,27 @@ enum {
   STRAIGHTEN_TURNS = 64,  // rotations of a frame after which it is made orthonormal again
 };
 
+// A place that a generalised cylinder goes through.
+typedef struct SweepNode {
+  LsysVec3 place, heading, left;
+  double radius;
+} SweepNode;
+
+typedef struct SweepPatch {
+  double number;
+  bool bspline;
+  LsysVec3 control[16];
+} SweepPatch;
+
+// What sweep.c works with: the nodes of the open `{(n)`, patches by number, and room for a mesh.
+typedef struct Sweep {
+  SweepNode *node;
+  SweepPatch *patch;
+  LsysVec3 *vertex, *normal;
+  uint32_t *corner;
+  size_t nodes, node_room, patches, patch_room, vertex_room, normal_room, corner_room;
+} Sweep;
+
 // What `[` saves. The first part suffices for a flat turtle whose turns are all in
 // the table of directions and whose lengths are all the default one.
 typedef struct State {
@@ -29,9 +50,13 @@ typedef struct State {
   double size;        // of all lengths and widths (@D)
   double elasticity;  // how much moves bend towards the tropism
   Frame frame;        // of a turtle that leaves the page
+  SweepNode node;     // ---- and from here on only by those that sweep: the last node of @Gs
+  double tangent[2];  // lengths of tangents, in distances between nodes
+  bool sweeping;      // between @Gs and @Ge
+  uint8_t contour, sides;
 } State;
 
-enum { STATE_SMALL = offsetof(State, z) };
+enum { STATE_SMALL = offsetof(State, z), STATE_MEDIUM = offsetof(State, node) };
 
 // What the fast loop does for a kind of modules.
 typedef enum PlainAct { PLAIN_GO, PLAIN_PUSH, PLAIN_POP, PLAIN_JUMP, PLAIN_OTHER } PlainAct;
@@ -61,6 +86,8 @@ struct LsysTurtle {
   bool flat;          // directions are those of the table, z stays 0; else the frame
   bool in_page;       // z stays 0
   bool plain;         // the fast loop can be used
+  bool sweeps;        // it has generalised cylinders: widths are lengths
+  bool splining;      // inside `{(n)`, which is no polygon
   bool skip_next;     // the module behind `~`
   bool by_kind;       // colours come from kinds (KindInfo.colour)
   bool by_depth;      // strokes end where brackets begin, too, and know how deep they are
@@ -91,6 +118,8 @@ struct LsysTurtle {
   size_t *polygon;
   size_t vertices, vertex_room, polygons, polygon_room;
 
+  Sweep sweep;
+
   uint32_t axiom;
   uint64_t read;           // modules before the current one
   uint64_t polygon_place;  // of the last `{`
@@ -112,7 +141,8 @@ bool turtle_pop(LsysTurtle *t);
 // Does the state allow the fast loop? Turns and lengths have to mean what its table says.
 static inline bool turtle_is_plain(const LsysTurtle *t) {
   const State *s = &t->state;
-  return t->plain && s->extra == 0 && s->scale * s->size == 1 && !s->swapped && !t->skip_next && !t->polygons;
+  return t->plain && s->extra == 0 && s->scale * s->size == 1 && !s->swapped && !t->skip_next && !t->polygons
+      && !t->splining;
 }
 
 // plain.c: reads modules while they are plain; returns how many. Sets *ok to false to stop.
@@ -125,6 +155,8 @@ typedef enum TurtleWarning {
   WARN_NOT_FINITE,
   WARN_OPEN_POLYGON,
   WARN_TROPISM,
+  WARN_SWEEP,
+  WARN_PATCH,
 } TurtleWarning;
 
 // Prints a warning about the current module, once for each kind of warning.

@@ -1,6 +1,7 @@
 // surface_file.c -- meshes from files: Wavefront OBJ, and cpfg's surfaces of
 // bicubic Bezier patches.
 #include "lsys/surface.h"
+#include "turtle/patch.h"
 #include "turtle/triangulate.h"
 #include "turtle/vector.h"
 
@@ -168,41 +169,18 @@ static LsysVec3 fitted(const Fit *f, LsysVec3 p, bool place) {
   return (LsysVec3){scale * vec_dot(p, f->right), scale * vec_dot(p, f->ahead), scale * vec_dot(p, f->up)};
 }
 
-static void bernstein(double t, double *b, double *slope) {
-  double u = 1 - t;
-  b[0] = u * u * u;
-  b[1] = 3 * t * u * u;
-  b[2] = 3 * t * t * u;
-  b[3] = t * t * t;
-  slope[0] = -3 * u * u;
-  slope[1] = 3 * u * u - 6 * t * u;
-  slope[2] = 6 * t * u - 3 * t * t;
-  slope[3] = 3 * t * t;
-}
-
 static bool add_patch(Reader *r, const Fit *fit, const LsysVec3 *control) {
-  uint32_t first = (uint32_t)r->vertices;
-  for (int i = 0; i <= PATCH_PIECES; i++) {
-    for (int k = 0; k <= PATCH_PIECES; k++) {
-      double bs[4], ds[4], bt[4], dt[4];
-      bernstein((double)i / PATCH_PIECES, bs, ds);
-      bernstein((double)k / PATCH_PIECES, bt, dt);
-      LsysVec3 p = {0}, along_s = {0}, along_t = {0};
-      for (int n = 0; n < 16; n++) {
-        p = vec_sum(p, 1, control[n], bs[n / 4] * bt[n % 4]);
-        along_s = vec_sum(along_s, 1, control[n], ds[n / 4] * bt[n % 4]);
-        along_t = vec_sum(along_t, 1, control[n], bs[n / 4] * dt[n % 4]);
-      }
-      LsysVec3 normal = vec_cross(along_s, along_t);
-      double length = vec_length(normal);
-      normal = length > 0 ? vec_scale(normal, 1 / length) : fit->up;
-      if (!add_vec(r, &r->vertex, &r->vertices, &r->vertex_room, fitted(fit, p, true))
-          || !add_vec(r, &r->normal, &r->normals, &r->normal_room, fitted(fit, normal, false)))
-        return false;
-      if (!i || !k) continue;
-      uint32_t d = first + (uint32_t)(i * (PATCH_PIECES + 1) + k), c = d - 1, b = d - PATCH_PIECES - 1, a = b - 1;
-      if (!add_triangle(r, a, c, d) || !add_triangle(r, a, d, b)) return false;
-    }
+  enum { VERTICES = (PATCH_PIECES + 1) * (PATCH_PIECES + 1), CORNERS = 6 * PATCH_PIECES * PATCH_PIECES };
+  LsysVec3 vertex[VERTICES], normal[VERTICES];
+  uint32_t corner[CORNERS], first = (uint32_t)r->vertices;
+  patch_grid(control, PATCH_BEZIER, PATCH_PIECES, PATCH_PIECES, fit->up, first, vertex, normal, corner);
+  for (int i = 0; i < VERTICES; i++) {
+    if (!add_vec(r, &r->vertex, &r->vertices, &r->vertex_room, fitted(fit, vertex[i], true))
+        || !add_vec(r, &r->normal, &r->normals, &r->normal_room, fitted(fit, normal[i], false)))
+      return false;
+  }
+  for (int i = 0; i < CORNERS; i += 3) {
+    if (!add_triangle(r, corner[i], corner[i + 1], corner[i + 2])) return false;
   }
   return true;
 }

@@ -28,6 +28,7 @@ static bool out_of_memory(void) {
 bool turtle_grow(void *array, size_t *room, size_t count, size_t size) {
   if (count <= *room) return true;
   size_t wanted = *room < 64 ? 64 : *room * 2, bytes;
+  if (wanted < count) wanted = count;
   void *old, *grown = NULL;
   memcpy(&old, array, sizeof old);
   if (!__builtin_mul_overflow(wanted, size, &bytes)) grown = realloc(old, bytes);
@@ -46,6 +47,7 @@ typedef struct Abilities {
   bool any_length;   // moves whose length is not the default one
   bool any_angle;    // turns by an argument
   bool more_state;   // changes of State beyond its small part
+  bool sweeps;       // generalised cylinders
 } Abilities;
 
 static Abilities abilities(const LsysGrammar *g) {
@@ -75,6 +77,15 @@ static Abilities abilities(const LsysGrammar *g) {
     case LSYS_TURTLE_VERTICAL:
     case LSYS_TURTLE_VERTICAL_AT:
       can.leaves_page = true;
+      break;
+    case LSYS_TURTLE_CYLINDER_BEGIN:
+    case LSYS_TURTLE_PATCH_DRAW:
+      can.leaves_page = true;
+      can.sweeps |= g->kinds[i].turtle == LSYS_TURTLE_CYLINDER_BEGIN;
+      break;
+    case LSYS_TURTLE_POLYGON_BEGIN:
+      can.leaves_page |= given;
+      can.sweeps |= given;
       break;
     case LSYS_TURTLE_STEP_SCALE:
     case LSYS_TURTLE_SECOND_DRAW:
@@ -190,13 +201,18 @@ static bool set_up(LsysTurtle *t) {
   double step = setting(t->run, LSYS_SETTING_STEP), width = setting(t->run, LSYS_SETTING_WIDTH);
   t->step = t->directions.lattice ? 1 : step;
   t->plain = t->flat && t->directions.exact && !(g->flags & LSYS_GRAMMAR_WIDE);
-  t->state_size = t->flat && t->directions.exact && !can.any_angle && !can.more_state ? STATE_SMALL : sizeof(State);
+  t->sweeps = can.sweeps;
+  t->state_size = can.sweeps                                                          ? sizeof(State)
+                : t->flat && t->directions.exact && !can.any_angle && !can.more_state ? STATE_SMALL
+                                                                                      : STATE_MEDIUM;
   double colour = fmod(trunc(setting(t->run, LSYS_SETTING_COLOUR)), 256);
   t->start = (State){.width = width > 0 ? width : 0,
                      .colour = (uint8_t)(colour < 0 ? colour + 256 : colour),
                      .second = heading,
                      .scale = 1,
                      .size = 1,
+                     .tangent = {1.2, 1.2},
+                     .sides = 8,
                      .elasticity = elasticity,
                      .frame = first_frame(&t->directions)};
   t->kind = calloc(g->kind_count + 1, sizeof *t->kind);
@@ -234,7 +250,16 @@ void lsys_turtle_destroy(LsysTurtle *t) {
   free(t->stroke);
   free(t->vertex);
   free(t->polygon);
+  free(t->sweep.node);
+  free(t->sweep.patch);
+  free(t->sweep.vertex);
+  free(t->sweep.normal);
+  free(t->sweep.corner);
   free(t);
+}
+
+bool lsys_turtle_widths_are_lengths(const LsysTurtle *t) {
+  return t->sweeps;
 }
 
 bool lsys_turtle_flat(const LsysTurtle *t) {
@@ -274,7 +299,8 @@ void lsys_turtle_begin(LsysTurtle *t, uint32_t axiom, LsysGeometry *to) {
   t->points = 1;
   t->point[0] = (LsysVec3){0};
   t->joined = false;
-  t->skip_next = false;
+  t->skip_next = t->splining = false;
+  t->sweep.nodes = t->sweep.patches = 0;
 }
 
 static uint32_t symbol(const LsysTurtle *t, const uint8_t *sym, uint64_t i) {

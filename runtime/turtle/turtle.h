@@ -24,6 +24,9 @@ void lsys_turtle_by_depth(LsysTurtle *turtle);
 // segments are drawn by one kind, of the last module that the turtle ignores, counted likewise.
 void lsys_turtle_by_kind(LsysTurtle *turtle);
 
+// True if the grammar has generalised cylinders, whose widths are lengths: then all widths are.
+bool lsys_turtle_widths_are_lengths(const LsysTurtle *turtle);
+
 // Starts the word of an axiom, drawn to `to`: the turtle stands at the origin, its state as the settings say.
 void lsys_turtle_begin(LsysTurtle *turtle, uint32_t axiom, LsysGeometry *to);
 

@@ -38,7 +38,7 @@ static inline void sample_word(Sample *s, const char *text) {
   while (*text) {
     char symbol[4] = {*text++};
     if (*symbol == '@') symbol[1] = *text++;
-    if (*symbol == '@' && strchr("DTGP", symbol[1]) && *text && strchr("idspfcetSCD", *text)) symbol[2] = *text++;
+    if (*symbol == '@' && strchr("DTGP", symbol[1]) && *text && strchr("idspfcetrSCD", *text)) symbol[2] = *text++;
     uint16_t arity = 0;
     while (*text == (arity ? ',' : '(')) {
       char *end;

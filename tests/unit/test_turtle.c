@@ -273,6 +273,36 @@ static void draws_surfaces(void **state) {
   sample_release(s);
 }
 
+// A straight cylinder of width 2 from (0,0) to (0,3), its mesh as high; and one through the places of a path.
+static void sweeps_cylinders(void **state) {
+  (void)state;
+  LsysMeasure m;
+  draw_text("!(2)@!(4)@Gsf(3)@Ge(5)", 90, &m);
+  assert_int_equal(m.meshes, 1);
+  assert_at(m.low, -1, 0, -1);
+  assert_at(m.high, 1, 3, 1);
+  draw_text("@Gs[f(2)@Gc]f(3)@Ge", 90, &m);  // the branch does not move the cylinder's last node
+  assert_int_equal(m.meshes, 2);
+  draw_text("!(2)@!(4){(1)ff+ff}", 90, &m);
+  assert_int_equal(m.meshes, 4);
+  assert_true(m.low.x <= -2 && m.low.x > -2.5 && m.high.y > 2.5 && m.high.y < 3.5);
+  draw_text("@Gcf@Ge@Gs@Ge{(1)}{(1)f}", 90, &m);
+  assert_int_equal(m.meshes, 1);
+}
+
+// Sixteen control points on a square grid give the flat square; a patch that was not begun gives nothing.
+static void draws_patches(void **state) {
+  (void)state;
+  LsysMeasure m;
+  char word[1024] = "@PS(1)", *at = word + strlen(word);
+  for (int i = 0; i < 16; i++) at += sprintf(at, "@M(%d,%d)@PC(1,%d,%d)", i / 4, i % 4, i / 4, i % 4);
+  strcpy(at, "@PD(1,3)@PD(2)@PC(1,4,0)");
+  draw_text(word, 90, &m);
+  assert_int_equal(m.meshes, 1);
+  assert_at(m.low, 0, 0, 0);
+  assert_at(m.high, 3, 3, 0);
+}
+
 // Symbols that set the turtle's state outright.
 static void set_the_state(void **state) {
   (void)state;
@@ -372,6 +402,8 @@ int main(void) {
     cmocka_unit_test(orders_of_trees),
     cmocka_unit_test(counts_places),
     cmocka_unit_test(draws_shapes),
+    cmocka_unit_test(sweeps_cylinders),
+    cmocka_unit_test(draws_patches),
     cmocka_unit_test(draws_surfaces),
     cmocka_unit_test(set_the_state),
     cmocka_unit_test(bends_towards_the_tropism),
