@@ -21,7 +21,9 @@ typedef struct Generator {
   Kind kinds[MOST_KINDS];
   int kind_count;
   int formals;  // of the production that is being made
-  bool parametric, guarded, stochastic, bracketed, cuts, left, right, decomposes, interprets, defines, drawn;
+  bool local;   // ... and it has a local variable
+  bool parametric, guarded, stochastic, bracketed, cuts, left, right, decomposes, interprets, defines, drawn, blocks,
+    pseudo;
 } Generator;
 
 // ---- chance ------------------------------------------------------------------
@@ -55,6 +57,7 @@ static Node *number(Generator *g) {
 
 static Node *leaf(Generator *g) {
   int defines = (int)g->grammar->defines.count;
+  if (g->local && chance(g, 30)) return node(g, NODE_LOCAL, NULL, 0);
   if (g->formals && chance(g, 65)) {
     Node *made = node(g, NODE_FORMAL, NULL, 0);
     made->slot = below(g, g->formals);
@@ -86,10 +89,18 @@ static Node *call(Generator *g, int depth) {
   return made;
 }
 
+static Node *application(Generator *g, int depth) {
+  Node *made = node(g, NODE_APPLY, NULL, 2);
+  made->slot = below(g, (int)g->grammar->functions.count);
+  for (int i = 0; i < 2; i++) made->kid[i] = expression(g, depth - 1);
+  return made;
+}
+
 static Node *expression(Generator *g, int depth) {
   static const char *const operators[] = {"+", "-",  "*", "/",  "%",  "^",  "+",  "-", "*",
                                           "<", "<=", ">", ">=", "==", "!=", "&&", "||"};
   if (depth <= 0 || chance(g, 35)) return leaf(g);
+  if (g->grammar->functions.count && chance(g, 12)) return application(g, depth);
   if (chance(g, 12)) return call(g, depth);
   if (chance(g, 10)) {
     Node *made = node(g, NODE_UNARY, chance(g, 70) ? "-" : "!", 1);
@@ -186,19 +197,28 @@ static void add_context(Generator *g, FuzzWord *word, bool right) {
 // ---- productions ---------------------------------------------------------------
 
 static void add_rule(Generator *g, const Kind *kind, RuleSection section, bool weighted, bool last) {
-  FuzzRule rule = {.section = section};
+  FuzzRule rule = {.section = section, .table = -1};
   bool contexts = section != RULE_DECOMPOSITION;
   g->formals = 0;
+  g->local = false;
+  if (g->grammar->schedule && section == RULE_DERIVATION) rule.table = below(g, FUZZ_TABLES + 1) - 1;
   int often = last ? 15 : 50;  // the last one is what mostly happens
   if (contexts && g->left && chance(g, often)) add_context(g, &rule.left, false);
   *VEC_PUSH(g->arena, &rule.strict) = pattern(g, kind, true);
+  if (g->pseudo && section == RULE_DERIVATION && !last && chance(g, 40))
+    *VEC_PUSH(g->arena, &rule.strict) = pattern(g, &g->kinds[below(g, g->kind_count)], true);
   if (contexts && g->right && chance(g, often)) add_context(g, &rule.right, true);
+  if (g->blocks && chance(g, 30)) {
+    rule.before = expression(g, 2);
+    g->local = true;
+  }
   bool needs_guard = !last && !weighted && !rule.left.count && !rule.right.count;  // else what follows is never reached
   if (g->formals && g->guarded && (needs_guard || chance(g, last ? 20 : 60))) rule.guard = condition(g);
   if (chance(g, last ? 80 : 50)) add_growth(g, &rule.successor);
   if (chance(g, 85)) add_modules(g, &rule.successor, 1 + below(g, section == RULE_DERIVATION ? 4 : 2), 2);
   if (weighted) rule.weight = chance(g, 80) ? number(g) : expression(g, 2);
   *VEC_PUSH(g->arena, &g->grammar->rules) = rule;
+  g->local = false;
 }
 
 static void add_family(Generator *g, const Kind *kind, RuleSection section) {
@@ -229,6 +249,9 @@ static void choose_features(Generator *g) {
   g->interprets = chance(g, 20);
   g->defines = g->parametric && chance(g, 40);
   g->drawn = chance(g, 80);
+  g->blocks = g->parametric && chance(g, 25);
+  g->pseudo = chance(g, 8);
+  if (chance(g, 12)) g->grammar->schedule = chance(g, 50) ? "t0 t1" : "t0 t1 t1";
   g->cuts = g->bracketed && chance(g, 15);
   g->grammar->ring = (g->left || g->right) && !g->bracketed && chance(g, 15);
 }
@@ -247,6 +270,12 @@ FuzzGrammar *fuzz_generate(Arena *arena, uint64_t number_, double longest) {
   grammar->number = number_;
   choose_features(g);
   choose_kinds(g);
+  g->formals = 2;
+  for (int i = 0; g->defines && i < below(g, 3); i++) {
+    Node *body = expression(g, 2);
+    *VEC_PUSH(arena, &grammar->functions) = body;
+  }
+  g->formals = 0;
   for (int i = 0; g->defines && i < 3; i++) {
     Node *value = expression(g, 2);
     *VEC_PUSH(arena, &grammar->defines) = value;

@@ -13,7 +13,9 @@
 typedef enum NodeKind {
   NODE_NUMBER,
   NODE_FORMAL,
+  NODE_LOCAL,
   NODE_DEFINE,
+  NODE_APPLY,
   NODE_UNARY,
   NODE_BINARY,
   NODE_CHOICE,
@@ -25,12 +27,12 @@ struct Node {
   NodeKind kind;
   const char *text;  // operator or function
   double number;
-  int slot;  // formal parameter or define
+  int slot;  // formal parameter, define or function
   int count;
   Node *kid[3];
 };
 
-enum { MOST_ARGS = 3 };
+enum { MOST_ARGS = 3, FUZZ_TABLES = 2 };
 
 typedef struct FuzzModule {
   char symbol;
@@ -44,7 +46,9 @@ typedef enum RuleSection { RULE_DERIVATION, RULE_DECOMPOSITION, RULE_HOMOMORPHIS
 typedef struct FuzzRule {
   RuleSection section;
   FuzzWord left, strict, right;  // left and right may be empty: no context
+  Node *before;                  // assigned to the local variable before the guard; NULL: no such block
   Node *guard, *weight;          // NULL: none
+  int table;                     // -1: every table
   FuzzWord successor;
 } FuzzRule;
 
@@ -52,6 +56,7 @@ typedef struct FuzzGrammar {
   uint64_t number;  // the seed that makes this grammar
   FuzzWord axiom;
   VEC(Node *) defines;
+  VEC(Node *) functions;  // of two arguments
   VEC(FuzzRule) rules;
   int steps;
   uint64_t seed;
@@ -59,6 +64,7 @@ typedef struct FuzzGrammar {
   const char *ignore;  // NULL: no such statement
   bool consider;       // `ignore` is a consider:
   bool ring;
+  const char *schedule;  // tables by step, NULL: no tables
 } FuzzGrammar;
 
 // The grammar that a number stands for: always the same one. Its words stay short: `longest` bounds

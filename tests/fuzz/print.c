@@ -1,6 +1,16 @@
 // print.c -- random grammars in the native notation.
 #include "grammar.h"
 
+static void print_node(FILE *out, const Node *node);
+
+static void print_arguments(FILE *out, const Node *node) {
+  for (int i = 0; i < node->count; i++) {
+    fputs(i ? ", " : "(", out);
+    print_node(out, node->kid[i]);
+  }
+  fputc(')', out);
+}
+
 static void print_node(FILE *out, const Node *node) {
   switch (node->kind) {
   case NODE_NUMBER:
@@ -9,8 +19,15 @@ static void print_node(FILE *out, const Node *node) {
   case NODE_FORMAL:
     fprintf(out, "%c", 'a' + node->slot);
     break;
+  case NODE_LOCAL:
+    fputc('z', out);
+    break;
   case NODE_DEFINE:
     fprintf(out, "K%d", node->slot);
+    break;
+  case NODE_APPLY:
+    fprintf(out, "f%d", node->slot);
+    print_arguments(out, node);
     break;
   case NODE_UNARY:
     fprintf(out, "%s(", node->text);
@@ -34,12 +51,8 @@ static void print_node(FILE *out, const Node *node) {
     fputc(')', out);
     break;
   case NODE_CALL:
-    fprintf(out, "%s(", node->text);
-    for (int i = 0; i < node->count; i++) {
-      if (i) fputs(", ", out);
-      print_node(out, node->kid[i]);
-    }
-    fputc(')', out);
+    fputs(node->text, out);
+    print_arguments(out, node);
     break;
   }
 }
@@ -67,8 +80,14 @@ static void print_rule(FILE *out, const FuzzRule *rule) {
     fputs(" > ", out);
     print_word(out, &rule->right);
   }
+  if (rule->before || rule->guard) fputs(" :", out);
+  if (rule->before) {
+    fputs(" { z = ", out);
+    print_node(out, rule->before);
+    fputs("; }", out);
+  }
   if (rule->guard) {
-    fputs(" : ", out);
+    fputc(' ', out);
     print_node(out, rule->guard);
   }
   fputs(" --> ", out);
@@ -80,8 +99,26 @@ static void print_rule(FILE *out, const FuzzRule *rule) {
   fputc('\n', out);
 }
 
-void fuzz_print(const FuzzGrammar *grammar, FILE *out) {
-  static const char *const headers[] = {NULL, "decomposition", "homomorphism"};
+// The rules of a section and a table, in their order.
+static void print_rules(const FuzzGrammar *grammar, RuleSection section, int table, FILE *out) {
+  for (size_t i = 0; i < grammar->rules.count; i++) {
+    const FuzzRule *rule = &grammar->rules.at[i];
+    if (rule->section == section && rule->table == table) print_rule(out, rule);
+  }
+}
+
+static bool has_rules(const FuzzGrammar *grammar, RuleSection section) {
+  bool found = false;
+  for (size_t i = 0; i < grammar->rules.count; i++) found |= grammar->rules.at[i].section == section;
+  return found;
+}
+
+static void print_statements(const FuzzGrammar *grammar, FILE *out) {
+  for (size_t i = 0; i < grammar->functions.count; i++) {
+    fprintf(out, "#define f%zu(a, b) ", i);
+    print_node(out, grammar->functions.at[i]);
+    fputc('\n', out);
+  }
   for (size_t i = 0; i < grammar->defines.count; i++) {
     fprintf(out, "#define K%zu ", i);
     print_node(out, grammar->defines.at[i]);
@@ -90,16 +127,23 @@ void fuzz_print(const FuzzGrammar *grammar, FILE *out) {
   if (grammar->ring) fputs("ring lsystem\n", out);
   fprintf(out, "steps: %d\nseed: %llu\n", grammar->steps, (unsigned long long)grammar->seed);
   if (grammar->ignore) fprintf(out, "%s: %s\n", grammar->consider ? "consider" : "ignore", grammar->ignore);
+  if (grammar->schedule) fprintf(out, "tables: %s\n", grammar->schedule);
   fputs("axiom: ", out);
   print_word(out, &grammar->axiom);
   fputc('\n', out);
-  for (int section = 0; section < RULE_SECTIONS; section++) {
-    bool open = section == RULE_DERIVATION;
-    for (size_t i = 0; i < grammar->rules.count; i++) {
-      if ((int)grammar->rules.at[i].section != section) continue;
-      if (!open) fprintf(out, "%s\nmaximum depth: %d\n", headers[section], grammar->depth);
-      open = true;
-      print_rule(out, &grammar->rules.at[i]);
-    }
+}
+
+void fuzz_print(const FuzzGrammar *grammar, FILE *out) {
+  static const char *const headers[] = {NULL, "decomposition", "homomorphism"};
+  print_statements(grammar, out);
+  print_rules(grammar, RULE_DERIVATION, -1, out);
+  for (int table = 0; grammar->schedule && table < FUZZ_TABLES; table++) {
+    fprintf(out, "table t%d:\n", table);
+    print_rules(grammar, RULE_DERIVATION, table, out);
+  }
+  for (RuleSection section = RULE_DECOMPOSITION; section < RULE_SECTIONS; section++) {
+    if (!has_rules(grammar, section)) continue;
+    fprintf(out, "%s\nmaximum depth: %d\n", headers[section], grammar->depth);
+    print_rules(grammar, section, -1, out);
   }
 }

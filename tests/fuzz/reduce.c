@@ -31,15 +31,20 @@ static FuzzGrammar *copy_grammar(Arena *arena, const FuzzGrammar *grammar) {
   copy->axiom = copy_word(arena, &grammar->axiom);
   copy->defines.at = NULL;
   copy->defines.count = copy->defines.capacity = 0;
+  copy->functions.at = NULL;
+  copy->functions.count = copy->functions.capacity = 0;
   copy->rules.at = NULL;
   copy->rules.count = copy->rules.capacity = 0;
   for (size_t i = 0; i < grammar->defines.count; i++)
     *VEC_PUSH(arena, &copy->defines) = copy_node(arena, grammar->defines.at[i]);
+  for (size_t i = 0; i < grammar->functions.count; i++)
+    *VEC_PUSH(arena, &copy->functions) = copy_node(arena, grammar->functions.at[i]);
   for (size_t i = 0; i < grammar->rules.count; i++) {
     FuzzRule rule = grammar->rules.at[i];
     rule.left = copy_word(arena, &rule.left);
     rule.strict = copy_word(arena, &rule.strict);
     rule.right = copy_word(arena, &rule.right);
+    rule.before = copy_node(arena, rule.before);
     rule.guard = copy_node(arena, rule.guard);
     rule.weight = copy_node(arena, rule.weight);
     rule.successor = copy_word(arena, &rule.successor);
@@ -114,13 +119,22 @@ static void cut_word(Cut *cut, FuzzWord *word, size_t least, bool arguments) {
 static void cut_rule(Cut *cut, FuzzRule *rule) {
   if (rule->left.count && is_it(cut)) rule->left.count = 0;
   if (rule->right.count && is_it(cut)) rule->right.count = 0;
+  if (rule->before && is_it(cut)) rule->before = NULL;
   if (rule->guard && is_it(cut)) rule->guard = NULL;
   if (rule->weight && is_it(cut)) rule->weight = NULL;
   cut_word(cut, &rule->left, 1, false);
   cut_word(cut, &rule->right, 1, false);
+  cut_word(cut, &rule->strict, 1, false);
+  cut_node(cut, &rule->before);
   cut_node(cut, &rule->guard);
   cut_node(cut, &rule->weight);
   cut_word(cut, &rule->successor, 0, true);
+}
+
+// The productions of all tables apply in every step.
+static void drop_tables(FuzzGrammar *grammar) {
+  grammar->schedule = NULL;
+  for (size_t i = 0; i < grammar->rules.count; i++) grammar->rules.at[i].table = -1;
 }
 
 // False when there is no place with that number any more.
@@ -138,9 +152,12 @@ static bool cut_grammar(FuzzGrammar *grammar, int wanted) {
   if (grammar->ignore && is_it(&cut)) grammar->ignore = NULL;
   if (grammar->ring && is_it(&cut)) grammar->ring = false;
   if (grammar->defines.count && is_it(&cut)) grammar->defines.count--;
+  if (grammar->functions.count && is_it(&cut)) grammar->functions.count--;
+  if (grammar->schedule && is_it(&cut)) drop_tables(grammar);
   if (grammar->seed && is_it(&cut)) grammar->seed = 0;
   cut_word(&cut, &grammar->axiom, 1, true);
   for (size_t i = 0; i < grammar->defines.count; i++) cut_node(&cut, &grammar->defines.at[i]);
+  for (size_t i = 0; i < grammar->functions.count; i++) cut_node(&cut, &grammar->functions.at[i]);
   for (size_t i = 0; i < grammar->rules.count; i++) cut_rule(&cut, &grammar->rules.at[i]);
   return cut.at > cut.wanted;
 }
