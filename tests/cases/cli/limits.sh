@@ -1,0 +1,28 @@
+# Sizes that a careless program would not survive.
+
+echo "a million steps"
+printf 'axiom: A(0)\nA(x) --> A(x+1)\n' > count.lsys
+printf 'axiom: A\nA --> BA\n' > chain.lsys
+lsysc count.lsys && ./count -n 1000000
+lsysc chain.lsys && ./chain -n 1000000 --count && ./chain -n 1000000 | wc -c
+
+echo "an axiom of a million modules"
+awk 'BEGIN { printf "axiom: "; for (i = 0; i < 1000000; i++) printf "A"; print "\nA --> AB" }' > long.lsys
+lsysc interp long.lsys -n 1 --count
+
+echo "brackets a hundred thousand deep"
+awk 'BEGIN { printf "axiom: "; for (i = 0; i < 100000; i++) printf "[F+"; for (i = 0; i < 100000; i++) printf "]"; print "" }' > deep.lsys
+lsysc interp deep.lsys --stats | grep -E 'total|segments'
+
+echo "parentheses that nest too deep, and one number too long"
+awk 'BEGIN { printf "axiom: A("; for (i = 0; i < 100000; i++) printf "("; print "1" }' > nested.lsys
+lsysc check nested.lsys 2>&1 | cut -c 1-100 | head -1
+awk 'BEGIN { printf "axiom: A("; for (i = 0; i < 100000; i++) printf "9"; print ")" }' > number.lsys
+lsysc check number.lsys 2>&1 | cut -c 1-100 | head -1
+
+echo "more modules than fit anywhere"
+printf 'axiom: A\nA --> AA\n' > double.lsys
+lsysc double.lsys && ./double -n 200 --count
+
+echo "a word of 10^8 modules in 100 MB of addresses"
+(ulimit -v 100000 2> /dev/null; ./double -n 27 --hash)
