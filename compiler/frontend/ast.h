@@ -116,7 +116,7 @@ typedef enum AstStatementKind {
   AST_CONSIDER,       // symbols
   AST_BLOCK,          // Start, StartEach, EndEach, End: name as spelled here, actions
   AST_ARRAYS,         // define: { array NAME[n] ... = { ... } }: arrays
-  AST_DECOMPOSITION,  // section header; value = maximum depth when in the header
+  AST_DECOMPOSITION,  // section header
   AST_HOMOMORPHISM,   // section header
   AST_PRODUCTIONS,    // section header: back to the derivation's productions
   AST_WARNINGS,       // ": warnings" of the section

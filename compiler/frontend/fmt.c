@@ -180,15 +180,18 @@ static void print_value(Printer *printer, const char *keyword, const AstExpr *va
   fmt_expr(&printer->writer, value);
 }
 
-static void print_statement(Printer *printer, const AstStatement *statement, bool weigh) {
+static void print_setting(Printer *printer, const AstStatement *statement) {
+  fprintf(OUT(printer), "%s:", lsys_settings[statement->setting].keyword);
+  if (statement->name)
+    fprintf(OUT(printer), " %s", statement->name);
+  else
+    print_value(printer, "", statement->value);
+}
+
+// What gives a name a meaning.
+static void print_definition(Printer *printer, const AstStatement *statement) {
   FILE *out = OUT(printer);
   switch (statement->kind) {
-  case AST_AXIOM:
-    print_axiom(printer, statement);
-    break;
-  case AST_PRODUCTION:
-    print_production(printer, statement->production, weigh);
-    break;
   case AST_DEFINE:
     fprintf(out, "#define %s", statement->name);
     if (statement->has_params) print_names(printer, statement);
@@ -207,30 +210,22 @@ static void print_statement(Printer *printer, const AstStatement *statement, boo
       fputs("#modules", out);
     print_names(printer, statement);
     break;
-  case AST_SETTING:
-    fprintf(out, "%s:", lsys_settings[statement->setting].keyword);
-    if (statement->name)
-      fprintf(out, " %s", statement->name);
-    else
-      print_value(printer, "", statement->value);
+  default:  // AST_SURFACE
+    fprintf(out, "surface %s:", statement->name);
+    print_value(printer, "", statement->value);
     break;
-  case AST_IGNORE:
-  case AST_CONSIDER:
-    fputs(statement->kind == AST_IGNORE ? "ignore: " : "consider: ", out);
-    print_symbols(printer, &statement->symbols);
-    break;
-  case AST_BLOCK:
-    fprintf(out, "%s:", statement->name);
-    print_actions(printer, &statement->actions, 0);
-    break;
-  case AST_ARRAYS:
-    print_arrays(printer, statement);
-    break;
+  }
+}
+
+// What the productions behind it belong to, and how they are applied.
+static void print_section(Printer *printer, const AstStatement *statement) {
+  FILE *out = OUT(printer);
+  switch (statement->kind) {
   case AST_DECOMPOSITION:
-    print_value(printer, "decomposition", statement->value);
+    fputs("decomposition", out);
     break;
   case AST_HOMOMORPHISM:
-    print_value(printer, "homomorphism", statement->value);
+    fputs("homomorphism", out);
     break;
   case AST_PRODUCTIONS:
     fputs("productions", out);
@@ -257,15 +252,47 @@ static void print_statement(Printer *printer, const AstStatement *statement, boo
   case AST_LSYSTEM:
     fprintf(out, "lsystem: %s", statement->name);
     break;
-  case AST_ENDLSYSTEM:
+  default:
     fputs("endlsystem", out);
     break;
-  case AST_SURFACE:
-    fprintf(out, "surface %s:", statement->name);
-    print_value(printer, "", statement->value);
+  }
+}
+
+static void print_statement(Printer *printer, const AstStatement *statement, bool weigh) {
+  switch (statement->kind) {
+  case AST_AXIOM:
+    print_axiom(printer, statement);
+    break;
+  case AST_PRODUCTION:
+    print_production(printer, statement->production, weigh);
+    break;
+  case AST_SETTING:
+    print_setting(printer, statement);
     break;
   case AST_ENVIRONMENT:
     print_value(printer, "environment:", statement->value);
+    break;
+  case AST_IGNORE:
+  case AST_CONSIDER:
+    fputs(statement->kind == AST_IGNORE ? "ignore: " : "consider: ", OUT(printer));
+    print_symbols(printer, &statement->symbols);
+    break;
+  case AST_BLOCK:
+    fprintf(OUT(printer), "%s:", statement->name);
+    print_actions(printer, &statement->actions, 0);
+    break;
+  case AST_ARRAYS:
+    print_arrays(printer, statement);
+    break;
+  case AST_DEFINE:
+  case AST_UNDEF:
+  case AST_PARAM:
+  case AST_MODULES:
+  case AST_SURFACE:
+    print_definition(printer, statement);
+    break;
+  default:
+    print_section(printer, statement);
     break;
   }
 }
@@ -312,9 +339,11 @@ static void print_all(Printer *printer, const char *at, const char *end) {
       print_gap(printer, at, text);
       at = text_end;
     }
-    fmt_begin_line(&printer->lines);
+    // A section's options stand behind its name.
+    if (statement->kind != AST_WARNINGS) fmt_begin_line(&printer->lines);
     print_statement(printer, statement, printer->adaption.weigh[i]);
-    if (text && native) fmt_inner_comments(&printer->lines, text, text_end);
+    bool more = i + 1 < printer->ast->statements.count && statement[1].kind == AST_WARNINGS;
+    if (text && native && !more) fmt_inner_comments(&printer->lines, text, text_end);
   }
   print_gap(printer, at, end);
   fmt_end_line(&printer->lines);

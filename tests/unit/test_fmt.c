@@ -109,6 +109,8 @@ static void other_statements(void **state) {
   same("turns: clockwise\n#define K 3\n#define f(x, y) x*y\n#undef K\nparam P = 3 in -1..10\nparam Q = 2\n");
   same("module Apex(age, vigor)\n#modules a b\nring lsystem\nlsystem: one\naxiom: A\nendlsystem\n");
   same("decomposition\nmaximum depth: 3\nA --> B\nhomomorphism\nA --> F\nproductions\nA --> C\n");
+  prints("decomposition: no warnings\nA --> B\nhomomorphism : /* x */ warnings\nA --> F\n",
+         "decomposition\nA --> B\nhomomorphism: warnings  /* x */\nA --> F\n");
   same("table day:\nA --> B\ntable night:\nA --> C\ntables: day night\n");
   same("Start: {\n  x = 1;\n  while (x < 3) {\n    x = x+1;\n  }\n  do {\n    x = 2;\n  } while (x > 5);\n}\n");
   same("define: {\n  array a[2][3] = {1, 2, 3, 4, 5, 6};\n  array b[4];\n}\n");
