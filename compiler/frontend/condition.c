@@ -6,12 +6,13 @@
 #include <math.h>
 #include <string.h>
 
-enum { DEEPEST_DEFINE = 100 };
+enum { DEEPEST_DEFINE = 100, MOST_STEPS = 1000000 };
 
 typedef struct Evaluator {
   Parser *parser;
   const Defines *defines;
   unsigned depth;  // of #defined names in one another
+  unsigned steps;  // taken so far: definitions that double each other would never end
   bool failed;     // was reported
 } Evaluator;
 
@@ -84,6 +85,8 @@ static double binary(Evaluator *e, const AstExpr *expr) {
 }
 
 static double evaluate(Evaluator *e, const AstExpr *expr) {
+  if (e->failed) return NAN;
+  if (++e->steps > MOST_STEPS) return fail(e, expr->span, "%s takes too long to evaluate", "this condition");
   switch (expr->kind) {
   case AST_NUMBER:
     return expr->number;

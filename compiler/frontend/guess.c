@@ -27,9 +27,17 @@ static Span first_words(const Statement *s) {
   return statement_span(s, s->begin, end);
 }
 
+// The text of span, which the statement begins with; not more than a message can hold.
+static const char *quotable(Parser *parser, const Statement *s, Span span) {
+  enum { LONGEST = 60 };
+  size_t length = span.end - span.begin;
+  const char *word = arena_copy(parser->build.arena, s->begin, length < LONGEST ? length : LONGEST);
+  return length < LONGEST ? word : arena_printf(parser->build.arena, "%s...", word);
+}
+
 static void unknown_directive(Parser *parser, const Statement *s) {
   Span span = first_words(s);
-  const char *word = arena_copy(parser->build.arena, s->begin, span.end - span.begin);
+  const char *word = quotable(parser, s, span);
   const char *nearest = keyword_nearest(parser->build.arena, word);
   diag_error(parser->diag, span, "unknown directive `%s`%s%s%s", word, nearest ? "; did you mean `" : "",
              nearest ? nearest : "", nearest ? "`?" : "");
@@ -37,7 +45,7 @@ static void unknown_directive(Parser *parser, const Statement *s) {
 
 static void unknown_statement(Parser *parser, const Statement *s) {
   Span span = first_words(s);
-  const char *word = arena_copy(parser->build.arena, s->begin, span.end - span.begin);
+  const char *word = quotable(parser, s, span);
   const char *nearest = keyword_nearest(parser->build.arena, word);
   if (nearest)
     diag_error(parser->diag, span, "unknown statement `%s:`; did you mean `%s`?", word, nearest);

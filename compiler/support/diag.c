@@ -26,7 +26,7 @@ struct Diag {
   bool colour;
   bool shown;       // was the last message shown? Its notes go the same way.
   Excerpt excerpt;  // that was shown last
-  size_t errors;
+  size_t errors, warnings;
 };
 
 static const struct {
@@ -159,14 +159,16 @@ static void show(Diag *diag, const char *what, const char *code, Span span, cons
   show_line(diag, span);
 }
 
+// Whether the message numbered `number` of its sort is one too many to be shown.
+static bool too_many(Diag *diag, size_t number, const char *sort) {
+  size_t most = diag->options.max_errors;
+  if (number == most + 1) fprintf(diag->options.out, "lsysc: note: further %s are not shown\n", sort);
+  return number > most;
+}
+
 static void report(Diag *diag, bool error, const char *name, Span span, const char *format, va_list args) {
-  if (error && ++diag->errors > diag->options.max_errors) {
-    diag->shown = false;
-    if (diag->errors == diag->options.max_errors + 1)
-      fprintf(diag->options.out, "lsysc: note: further errors are not shown\n");
-    return;
-  }
-  diag->shown = true;
+  diag->shown = !too_many(diag, error ? ++diag->errors : ++diag->warnings, error ? "errors" : "warnings");
+  if (!diag->shown) return;
   Span macro;
   span = sources_origin(diag->sources, span, &macro);
   show_includes(diag, span);

@@ -406,6 +406,41 @@ static void test_long_words(void **state) {
   }
 }
 
+static void test_long_tokens(void **state) {
+  (void)state;
+  static const char *const read[][3] = {
+    {"#define A ", "a", ""}, {"w: F(", "1", ".0e-100000)"}, {"w: F(\"", "s", "\")"},      {"w: /*", "c", "*/ F"},
+    {"tables: ", "t", ""},   {"surface s: ", "f", ""},      {"#modules ", "m", "\nw: m"}, {"p1", "1", ": F -> F"},
+    {"w: F_", "1", ""},      {"environment: ", "e", " (1)"}};
+  for (size_t i = 0; i < sizeof read / sizeof *read; i++) {
+    char *text = repeated(read[i][0], read[i][1], 100000, read[i][2]);
+    Result result = parse(text);
+    assert_int_equal(result.errors, 0);
+    release(&result);
+    free(text);
+  }
+  static const char *const refused[][3] = {{"", "x", ": 3"},      {"", "y", ""},  {"A : a ", "z", " -> B"},
+                                           {"w: F(\"", "s", ")"}, {"#", "d", ""}, {"w: F(", "9", ")"},
+                                           {"#include ", "i", ""}};
+  for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
+    char *text = repeated(refused[i][0], refused[i][1], 100000, refused[i][2]);
+    refuses(text, "");
+    free(text);
+  }
+}
+
+static void test_costly_conditions(void **state) {
+  (void)state;
+  char text[4000] = "#define A0 1\n";
+  for (int i = 1; i < 60; i++) {
+    char line[40];
+    snprintf(line, sizeof line, "#define A%d A%d+A%d\n", i, i - 1, i - 1);
+    strcat(text, line);
+  }
+  strcat(text, "#if A59\n#endif\n");
+  refuses(text, "this condition takes too long to evaluate");
+}
+
 static void test_deep_nesting(void **state) {
   (void)state;
   static const char *const nests[][3] = {{"w: A(", "(", "1"},
@@ -471,6 +506,8 @@ int main(void) {
     cmocka_unit_test(test_long_words),
     cmocka_unit_test(test_deep_nesting),
     cmocka_unit_test(test_dialects),
+    cmocka_unit_test(test_long_tokens),
+    cmocka_unit_test(test_costly_conditions),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,9 +1,6 @@
 // fuzz_parse.c -- any bytes -> parse and check; whatever happens must be a
-// message. A libFuzzer target:
-//
-//   clang -g -O1 -fsanitize=fuzzer,address,undefined ... (see tests/fuzz/run-parse)
-//
-// The first byte chooses the dialect.
+// message. A libFuzzer target, built and run by tests/fuzz/parse/run. The first
+// byte chooses the dialect.
 #include "frontend/program.h"
 #include "support/diag.h"
 
