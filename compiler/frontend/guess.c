@@ -4,15 +4,25 @@
 
 #include "support/utf8.h"
 
-// Where one of these stands for an arrow outside parentheses; NULL: nowhere.
-static const char *other_arrow(const Statement *s, size_t *length) {
-  static const char *const arrows[] = {"=>", "⇒", "⟹", "↦", "—>", ":=", "::=", "=", ">"};
+// Where `sign` stands outside parentheses; NULL: nowhere.
+static const char *find_sign(const Statement *s, const char *sign) {
   unsigned depth = 0;
   for (const char *at = s->begin; at < s->end; at++) {
     depth += *at == '(';
     depth -= *at == ')' && depth;
-    for (size_t i = 0; !depth && i < sizeof arrows / sizeof *arrows; i++)
-      if ((*length = utf8_starts(at, s->end, arrows[i])) > 0) return at;
+    if (!depth && utf8_starts(at, s->end, sign)) return at;
+  }
+  return NULL;
+}
+
+// What stands for an arrow; NULL: nothing. The last two do only where no guard can hold them.
+static const char *other_arrow(const Statement *s, size_t *length) {
+  static const char *const signs[] = {"=>", "⇒", "⟹", "↦", "—>", "::=", ":=", "=", ">"};
+  enum { SIGNS = sizeof signs / sizeof *signs };
+  for (int i = 0; i < (s->colons[0] ? SIGNS - 2 : SIGNS); i++) {
+    const char *at = find_sign(s, signs[i]);
+    *length = strlen(signs[i]);
+    if (at) return at;
   }
   return NULL;
 }
@@ -80,7 +90,7 @@ void guess_statement(Parser *parser, const Statement *s) {
     diag_fix(parser->diag, statement_span(s, match.end, match.end), ":");
   } else if (s->colons[0] && !statement_label(s->begin, s->colons[0])) {
     size_t length;
-    if (other_arrow(s, &length) && *s->colons[0] == ':' && memchr(s->begin, '(', (size_t)(s->colons[0] - s->begin)))
+    if (other_arrow(s, &length) || memchr(s->begin, '(', (size_t)(s->colons[0] - s->begin)))
       missing_arrow(parser, s);
     else
       unknown_statement(parser, s);

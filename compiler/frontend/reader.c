@@ -197,7 +197,7 @@ static void include(Reader *reader, const Statement *s) {
   const struct stat *identity = &reader->input->identity;
   for (const Input *in = reader->input->from; in; in = in->from)
     if (identity->st_ino && identity->st_ino == in->identity.st_ino && identity->st_dev == in->identity.st_dev) {
-      diag_error(reader->diag, span, "`%s` is being included already; the inclusions go round", path);
+      diag_error(reader->diag, span, "`%s` is being read already: this inclusion would never end", path);
       reader->input = reader->input->from;
       reader->depth--;
       return;

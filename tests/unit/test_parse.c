@@ -368,7 +368,7 @@ static void test_includes(void **state) {
   assert_string_equal(result.dump, "production strict A successor B\nproduction strict C successor D\n"
                                    "production strict E successor F\naxiom word A\n");
   assert_int_equal(result.errors, 4);
-  assert_non_null(strstr(result.messages, "`../a` is being included already"));
+  assert_non_null(strstr(result.messages, "`../a` is being read already"));
   assert_non_null(strstr(result.messages, "in the file included at "));
   assert_non_null(strstr(result.messages, "cannot find the file `nowhere`"));
   assert_non_null(strstr(result.messages, "this `#if` has no `#endif`"));
