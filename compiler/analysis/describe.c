@@ -134,21 +134,28 @@ static void describe_contexts_of(const Productions *productions, LsysGrammar *gr
   }
 }
 
-static void describe_contexts(Arena *arena, const Program *program, LsysGrammar *grammar) {
-  const LSystem *main = &program->lsystems[0];
+static LsysContextView describe_view(Arena *arena, const Program *program, const LSystem *lsystem) {
   uint8_t *classes = arena_array(arena, program->kind_count, 1);
   for (KindId kind = 0; kind < program->kind_count; kind++) {
-    classes[kind] = main->ignored[kind] ? LSYS_CLASS_IGNORED : LSYS_CLASS_SEEN;
+    classes[kind] = lsystem->ignored[kind] ? LSYS_CLASS_IGNORED : LSYS_CLASS_SEEN;
     if (kind == program->open) classes[kind] = LSYS_CLASS_OPEN;
     if (kind == program->close) classes[kind] = LSYS_CLASS_CLOSE;
   }
-  grammar->context_class = classes;
+  return (LsysContextView){classes, lsystem->ring};
+}
+
+static void describe_contexts(Arena *arena, const Program *program, const Facts *facts, LsysGrammar *grammar) {
+  LsysContextView *views = arena_array(arena, facts->view_count, sizeof *views);
+  for (uint32_t i = 0; i < facts->view_count; i++) views[i] = describe_view(arena, program, facts->views[i]);
+  grammar->views = views;
+  grammar->view_count = facts->view_count;
+  grammar->system_count = (uint32_t)program->lsystem_count;
   for (size_t i = 0; i < program->lsystem_count; i++) {
     describe_contexts_of(&program->lsystems[i].productions, grammar);
     describe_contexts_of(&program->lsystems[i].homomorphism.productions, grammar);
+    if (program->lsystems[i].ring) grammar->flags |= LSYS_GRAMMAR_RING;
   }
-  if (main->ring) grammar->flags |= LSYS_GRAMMAR_RING;
-  if (program->cut != KIND_NONE) grammar->flags |= LSYS_GRAMMAR_ORDERED;
+  if (program->cut != KIND_NONE || program->lsystem_count > 1) grammar->flags |= LSYS_GRAMMAR_ORDERED;
 }
 
 LsysGrammar *describe(Arena *arena, const Program *program, const Facts *facts) {
@@ -164,7 +171,7 @@ LsysGrammar *describe(Arena *arena, const Program *program, const Facts *facts) 
   grammar->value_count = (uint32_t)program->total_values;
   grammar->seed = program->seed;
   describe_room(program, facts, grammar);
-  describe_contexts(arena, program, grammar);
+  describe_contexts(arena, program, facts, grammar);
   grammar->growth = facts->growth;
   return grammar;
 }

@@ -12,11 +12,21 @@ typedef struct KindFacts {
   bool fixed;       // LSYS_KIND_FIXED
   bool key;         // LSYS_KIND_KEY
   Productions own;  // the main system's productions whose strict predecessor it is (context-free or not), file order
-  Productions decompositions, homomorphisms;
+  Productions decompositions, homomorphisms;  // likewise
 } KindFacts;
 
+// An L-system's productions by the kind of their (first) strict predecessor, each list in file order.
+typedef struct SystemFacts {
+  Productions *own, *decompositions, *homomorphisms;
+  uint32_t view;  // what its contexts see
+} SystemFacts;
+
 typedef struct Facts {
-  KindFacts *kinds;    // program->kind_count of them
+  KindFacts *kinds;      // program->kind_count of them
+  SystemFacts *systems;  // program->lsystem_count of them
+  // L-systems that ignore the same symbols see the same word: for each such view, one that has it.
+  const LSystem **views;
+  uint32_t view_count;
   bool context_free;   // no contexts, pseudo-productions, cut, ring, queries, globals: the expand engine applies
   bool deterministic;  // nothing draws
   bool parametric, bracketed, stochastic, sequential, tables;

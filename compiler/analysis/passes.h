@@ -15,7 +15,7 @@ typedef struct Analysis {
   Productions *images;    // per kind: every L-system's homomorphism productions of it
 } Analysis;
 
-// productions.c: KindFacts.own, .decompositions, .homomorphisms, and the lists above.
+// productions.c: Facts.systems, .views, KindFacts.own, .decompositions, .homomorphisms, and the lists above.
 void find_productions(Analysis *analysis);
 
 // True if a production applies to every module of its kind, whatever its arguments, neighbours and the step.

@@ -2,6 +2,8 @@
 // A pseudo-production belongs to the kind of its first module.
 #include "analysis/passes.h"
 
+#include <string.h>
+
 // Sums of weights up to this one stay finite; of infinite sums no share is ever drawn.
 #define LARGEST_WEIGHT 1e300
 
@@ -32,6 +34,40 @@ Productions *productions_by_kind(Arena *arena, const Program *program, const Pro
   return lists.of;
 }
 
+static bool has_contexts(const Productions *productions) {
+  for (size_t i = 0; i < productions->count; i++)
+    if (productions->at[i]->left.count || productions->at[i]->right.count) return true;
+  return false;
+}
+
+// The number of the view of the word that an L-system has; one without contexts takes any.
+static uint32_t find_view(const Program *program, Facts *facts, const LSystem *lsystem) {
+  bool looks = has_contexts(&lsystem->productions) || has_contexts(&lsystem->homomorphism.productions);
+  uint32_t view = 0;
+  for (; looks && view < facts->view_count; view++) {
+    const LSystem *other = facts->views[view];
+    if (other->ring == lsystem->ring && memcmp(other->ignored, lsystem->ignored, program->kind_count) == 0) break;
+  }
+  if (view == facts->view_count) facts->views[facts->view_count++] = lsystem;
+  return view;
+}
+
+static void find_systems(Analysis *analysis) {
+  Arena *arena = analysis->arena;
+  const Program *program = analysis->program;
+  Facts *facts = analysis->facts;
+  facts->systems = arena_array(arena, program->lsystem_count, sizeof *facts->systems);
+  facts->views = arena_array(arena, program->lsystem_count, sizeof *facts->views);
+  for (size_t i = 0; i < program->lsystem_count; i++) {
+    const LSystem *lsystem = &program->lsystems[i];
+    SystemFacts *system = &facts->systems[i];
+    system->own = productions_by_kind(arena, program, &lsystem->productions);
+    system->decompositions = productions_by_kind(arena, program, &lsystem->decomposition.productions);
+    system->homomorphisms = productions_by_kind(arena, program, &lsystem->homomorphism.productions);
+    system->view = find_view(program, facts, lsystem);
+  }
+}
+
 void find_productions(Analysis *analysis) {
   Arena *arena = analysis->arena;
   const Program *program = analysis->program;
@@ -43,15 +79,13 @@ void find_productions(Analysis *analysis) {
   }
   analysis->rewrites = rewrites.of;
   analysis->images = images.of;
-  const LSystem *main_system = &program->lsystems[0];
-  Productions *own = productions_by_kind(arena, program, &main_system->productions);
-  Productions *decompositions = productions_by_kind(arena, program, &main_system->decomposition.productions);
-  Productions *homomorphisms = productions_by_kind(arena, program, &main_system->homomorphism.productions);
+  find_systems(analysis);
+  const SystemFacts *main_system = &analysis->facts->systems[0];
   for (size_t k = 0; k < program->kind_count; k++) {
     KindFacts *kind = &analysis->facts->kinds[k];
-    kind->own = own[k];
-    kind->decompositions = decompositions[k];
-    kind->homomorphisms = homomorphisms[k];
+    kind->own = main_system->own[k];
+    kind->decompositions = main_system->decompositions[k];
+    kind->homomorphisms = main_system->homomorphisms[k];
   }
 }
 

@@ -19,30 +19,21 @@ static void build(Ir *ir, LLVMContextRef context, LLVMTargetMachineRef machine) 
   ir_create(ir, context, machine);
   ir->state = has_state(ir);
   ir->stepping = !ir->facts->context_free;
+  ir->apart = ir->state || ir->program->lsystem_count > 1;
   if (ir->options->debug) debug_create(ir, diag_sources(ir->diag));
   counters_assign(ir);
   functions_declare(ir);
   expand_declare(ir);
   functions_define(ir);
   expand_define(ir);
-  Entries entries = {init_emit(ir),   axiom_emit(ir),      entry_expand(ir),      step_emit(ir),
-                     blocks_emit(ir), entry_decompose(ir), entry_homomorphism(ir)};
+  Entries entries = {init_emit(ir),   axiom_emit(ir),      entry_expand(ir),       step_emit(ir),
+                     blocks_emit(ir), whole_decompose(ir), entry_homomorphism(ir), whole_interpret(ir)};
   freeze_grammar(ir, &entries);
   debug_finish(ir);
 }
 
-// What the rewriting functions cannot do is said, not guessed.
-static bool supported(const Ir *ir) {
-  bool state = ir->program->lsystem_count > 1;
-  if (!state && !(ir->description->flags & LSYS_GRAMMAR_WHOLE)) return true;
-  diag_error(ir->diag, (Span){0, 0}, "`%s` has %s, which cannot be compiled; `lsysc interp` runs it", ir->program->name,
-             state ? "sub-L-systems" : "a homomorphism with contexts");
-  return false;
-}
-
 // The optimised module as bytes; machine is what it was made for. NULL after reporting.
 static LLVMMemoryBufferRef generate(Ir *ir, EmitKind kind, LLVMTargetMachineRef machine) {
-  if (!supported(ir)) return NULL;
   LLVMContextRef context = LLVMContextCreate();
   ir->arena = arena_create();
   build(ir, context, machine);

@@ -1,7 +1,7 @@
 // entry.c -- the descriptor's functions that take a packed word: a loop over
 // its modules, each handed to the function of its kind or copied.
 //
-//   expand(out, in, steps)       homomorphism(run, in, out)       decompose(run, in, out)
+//   expand(out, in, steps)       homomorphism(run, in, out)
 #include "codegen/ir.h"
 
 typedef struct Reader {
@@ -29,27 +29,19 @@ static void read(Ir *ir, const Reader *reader, uint32_t arity, bool keyed, Deriv
   module->key = keyed ? LLVMBuildLoad2(ir->builder, ir->types.i64, reader->key, "key") : NULL;
 }
 
-// The key that a module's homomorphism starts from.
-static LLVMValueRef image_key(Ir *ir, LLVMValueRef key) {
-  const Rewriting *section = &ir->program->lsystems[0].homomorphism;
-  key = key_split(ir, key, LSYS_VALUES_CHILD);
-  return section->has_seed ? LLVMBuildXor(ir->builder, key, ir_int(ir, lsys_mix64(section->seed)), "") : key;
-}
-
 static void rewrite_module(Rewrite *rewrite, Reader *reader, KindId kind) {
   Ir *ir = rewrite->scope.ir;
   uint32_t arity = ir->program->kinds[kind].arity;
   bool keyed = ir->facts->kinds[kind].key;
   Derived module = {.kind = kind};
   read(ir, reader, arity, keyed, &module);
-  LLVMValueRef *values = arena_array(ir->arena, arity + (size_t)4, sizeof *values);
+  LLVMValueRef *values = arena_array(ir->arena, arity + (size_t)3, sizeof *values);
   unsigned n = 0;
   values[n++] = rewrite->out;
-  if (rewrite->way != WAY_INTERPRET) values[n++] = rewrite->steps;
-  if (rewrite->way != WAY_EXPAND) values[n++] = rewrite->depth;
+  values[n++] = rewrite->way == WAY_EXPAND ? rewrite->steps : rewrite->depth;
   for (uint32_t i = 0; i < arity; i++) values[n++] = module.args[i];
-  if (keyed) values[n++] = rewrite->way == WAY_INTERPRET ? image_key(ir, module.key) : module.key;
-  ir_call(ir, ir->ways[rewrite->way][kind], values, n);
+  if (keyed) values[n++] = rewrite->way == WAY_INTERPRET ? image_key(ir, 0, module.key) : module.key;
+  ir_call(ir, expand_function(ir, rewrite->way, 0, kind), values, n);
   leave(ir, reader, arity, keyed);
 }
 
@@ -91,7 +83,7 @@ static void dispatch(Rewrite *rewrite, Reader *reader, LLVMValueRef symbol) {
   Copiers copiers = {0};
   for (KindId kind = 0; kind < ir->program->kind_count; kind++) {
     LLVMBasicBlockRef block;
-    if (ir->ways[rewrite->way][kind]) {
+    if (expand_function(ir, rewrite->way, 0, kind)) {
       block = ir_block(ir, "kind");
       ir_at(ir, block);
       rewrite_module(rewrite, reader, kind);
@@ -166,25 +158,13 @@ LLVMValueRef entry_expand(Ir *ir) {
 }
 
 LLVMValueRef entry_homomorphism(Ir *ir) {
-  if (!(ir->description->flags & LSYS_GRAMMAR_HOMOMORPHISM)) return NULL;
+  uint32_t flags = ir->description->flags;
+  if (!(flags & LSYS_GRAMMAR_HOMOMORPHISM) || flags & LSYS_GRAMMAR_WHOLE) return NULL;
   LLVMValueRef function = create(ir, "homomorphism", (LLVMTypeRef[]){ir->types.ptr, ir->types.ptr, ir->types.ptr});
   ir_attribute(ir, function, 3, "noalias");
   Rewrite rewrite = {.scope = {.ir = ir}, .way = WAY_INTERPRET, .silent = true};
   rewrite.out = LLVMGetParam(function, 2);
-  rewrite.depth = expand_depth(ir, WAY_INTERPRET);
-  word_loop(&rewrite, LLVMGetParam(function, 1));
-  return function;
-}
-
-LLVMValueRef entry_decompose(Ir *ir) {
-  bool any = false;
-  for (KindId kind = 0; kind < ir->program->kind_count; kind++) any |= ir->ways[WAY_DECOMPOSE][kind] != NULL;
-  if (!ir->state || !any) return NULL;
-  LLVMValueRef function = create(ir, "decompose", (LLVMTypeRef[]){ir->types.ptr, ir->types.ptr, ir->types.ptr});
-  ir_attribute(ir, function, 3, "noalias");
-  Rewrite rewrite = {.scope = {.ir = ir}, .way = WAY_DECOMPOSE, .steps = ir_int(ir, 0)};
-  rewrite.out = LLVMGetParam(function, 2);
-  rewrite.depth = expand_depth(ir, WAY_DECOMPOSE);
+  rewrite.depth = expand_depth(ir, WAY_INTERPRET, 0);
   word_loop(&rewrite, LLVMGetParam(function, 1));
   return function;
 }

@@ -6,6 +6,7 @@
 //   expand.A(out, steps, args..., key)            one rewriting, then each module with steps-1
 //   decompose.A(out, steps, depth, args..., key)  as deep as depth, then expand with steps
 //   interpret.A(out, depth, args..., key)         as deep as depth, then written without key
+//   interpret.A(out, scan, depth, args..., key)   the same where its contexts look at the scanned word
 //
 // A last module is reached by a jump (same function) or a tail call, so that a
 // chain of 10^6 steps takes constant stack. Other calls check the stack first.
@@ -14,43 +15,54 @@
 
 #include <ctype.h>
 
-static unsigned leads(Way way) {  // parameters between out and the module's arguments
-  return way == WAY_DECOMPOSE ? 2 : 1;
+bool expand_takes_scan(const Ir *ir, Way way) {
+  return way == WAY_INTERPRET && ir->description->flags & LSYS_GRAMMAR_WHOLE;
 }
 
-static const Productions *way_productions(const Ir *ir, Way way, KindId kind) {
-  const KindFacts *facts = &ir->facts->kinds[kind];
-  if (way == WAY_EXPAND || way == WAY_STEP) return &facts->own;
-  return way == WAY_DECOMPOSE ? &facts->decompositions : &facts->homomorphisms;
+static unsigned leads(const Ir *ir, Way way) {  // parameters between out and the module's arguments
+  return way == WAY_DECOMPOSE || expand_takes_scan(ir, way) ? 2 : 1;
 }
 
-static bool wanted(const Ir *ir, Way way, KindId kind) {
+const Productions *expand_productions(const Ir *ir, Way way, size_t system, KindId kind) {
+  const SystemFacts *facts = &ir->facts->systems[system];
+  if (way == WAY_EXPAND || way == WAY_STEP) return &facts->own[kind];
+  return way == WAY_DECOMPOSE ? &facts->decompositions[kind] : &facts->homomorphisms[kind];
+}
+
+LLVMValueRef expand_function(const Ir *ir, Way way, size_t system, KindId kind) {
+  return ir->ways[way][system * ir->program->kind_count + kind];
+}
+
+static bool wanted(const Ir *ir, Way way, size_t system, KindId kind) {
   const KindFacts *facts = &ir->facts->kinds[kind];
-  if (way == WAY_INTERPRET) return facts->homomorphisms.count;
+  const Productions *productions = expand_productions(ir, way, system, kind);
+  if (way == WAY_INTERPRET) return productions->count;
   if (!facts->reachable || way == WAY_STEP) return false;
-  return way == WAY_EXPAND ? !ir->stepping && !facts->terminal : facts->decompositions.count;
+  return way == WAY_EXPAND ? !ir->stepping && !facts->terminal : productions->count;
 }
 
 // ---- declarations ------------------------------------------------------------
 
-static const char *way_name(Ir *ir, Way way, KindId kind) {
+static const char *way_name(Ir *ir, Way way, size_t system, KindId kind) {
   static const char *const names[] = {"expand", "decompose", "interpret"};
   const Kind *k = &ir->program->kinds[kind];
+  if (system) return arena_printf(ir->arena, "%s.kind%u.system%zu", names[way], kind, system);
   for (const char *c = k->symbol; *c; c++)
     if (!isalnum((unsigned char)*c) && *c != '_') return arena_printf(ir->arena, "%s.kind%u", names[way], kind);
   return arena_printf(ir->arena, "%s.%s.%u", names[way], k->symbol, k->arity);
 }
 
-static LLVMValueRef declare(Ir *ir, Way way, KindId kind) {
+static LLVMValueRef declare(Ir *ir, Way way, size_t system, KindId kind) {
   uint32_t arity = ir->program->kinds[kind].arity;
   LLVMTypeRef *types = arena_array(ir->arena, arity + (size_t)4, sizeof *types);
   unsigned n = 0;
   types[n++] = ir->types.ptr;
-  for (unsigned i = 0; i < leads(way); i++) types[n++] = ir->types.i64;
+  if (expand_takes_scan(ir, way)) types[n++] = ir->types.ptr;
+  while (n < 1 + leads(ir, way)) types[n++] = ir->types.i64;
   for (uint32_t i = 0; i < arity; i++) types[n++] = ir->types.f64;
   if (ir->facts->kinds[kind].key) types[n++] = ir->types.i64;
   LLVMTypeRef type = LLVMFunctionType(ir->types.none, types, n, false);
-  LLVMValueRef function = LLVMAddFunction(ir->module, way_name(ir, way, kind), type);
+  LLVMValueRef function = LLVMAddFunction(ir->module, way_name(ir, way, system, kind), type);
   LLVMSetLinkage(function, LLVMInternalLinkage);
   LLVMSetFunctionCallConv(function, ir->tail_convention);
   ir_attribute(ir, function, LLVMAttributeFunctionIndex, "nounwind");
@@ -59,11 +71,12 @@ static LLVMValueRef declare(Ir *ir, Way way, KindId kind) {
 }
 
 void expand_declare(Ir *ir) {
-  size_t kinds = ir->program->kind_count;
+  size_t kinds = ir->program->kind_count, systems = ir->program->lsystem_count;
   for (Way way = 0; way < WAY_COUNT; way++) {
-    ir->ways[way] = arena_array(ir->arena, kinds, sizeof *ir->ways[way]);
-    for (KindId k = 0; k < kinds; k++)
-      if (wanted(ir, way, k)) ir->ways[way][k] = declare(ir, way, k);
+    ir->ways[way] = arena_array(ir->arena, systems * kinds, sizeof *ir->ways[way]);
+    for (size_t s = 0; s < systems; s++)
+      for (KindId k = 0; k < kinds; k++)
+        if (wanted(ir, way, s, k)) ir->ways[way][s * kinds + k] = declare(ir, way, s, k);
   }
 }
 
@@ -92,6 +105,7 @@ static void pass(Rewrite *rewrite, Way way, const Derived *module) {
   LLVMValueRef *values = arena_array(ir->arena, arity + (size_t)4, sizeof *values);
   unsigned n = 0;
   values[n++] = rewrite->out;
+  if (expand_takes_scan(ir, way)) values[n++] = rewrite->walk->scans[0];
   if (way != WAY_INTERPRET) values[n++] = rewrite->left;
   if (way != WAY_EXPAND) values[n++] = rewrite->deeper;
   for (uint32_t i = 0; i < arity; i++) values[n++] = module->args[i];
@@ -100,7 +114,7 @@ static void pass(Rewrite *rewrite, Way way, const Derived *module) {
     jump(rewrite, values + 1);
     return;
   }
-  LLVMValueRef call = ir_call(ir, ir->ways[way][module->kind], values, n);
+  LLVMValueRef call = ir_call(ir, expand_function(ir, way, rewrite->system, module->kind), values, n);
   if (!module->last) return;
   if (!rewrite->done) LLVMSetTailCallKind(call, ir->tail_kind);
   leave(rewrite);
@@ -129,14 +143,14 @@ static void derive(Rewrite *rewrite, const Derived *module) {
 void module_hand_on(Rewrite *rewrite, const Derived *module, unsigned steps) {
   (void)steps;
   const Ir *ir = rewrite->scope.ir;
-  const KindFacts *facts = &ir->facts->kinds[module->kind];
-  bool later = rewrite->way == WAY_STEP && ir->state;  // in an order of its own, behind the step
+  const SystemFacts *facts = &ir->facts->systems[rewrite->system];
+  bool later = rewrite->way == WAY_STEP && ir->apart;  // in an order of its own, behind the step
   if (rewrite->way != WAY_INTERPRET) {
-    if (facts->decompositions.count && !later)
+    if (facts->decompositions[module->kind].count && !later)
       pass(rewrite, WAY_DECOMPOSE, module);
     else
       derive(rewrite, module);
-  } else if (facts->homomorphisms.count) {
+  } else if (facts->homomorphisms[module->kind].count) {
     pass(rewrite, WAY_INTERPRET, module);
   } else {
     line_add(rewrite, module->kind, module->args, NULL);
@@ -147,10 +161,12 @@ void module_hand_on(Rewrite *rewrite, const Derived *module, unsigned steps) {
 // ---- a chosen production -----------------------------------------------------------
 
 // True if a module before the last is handed to a function: that call needs stack.
-static bool recurs(const Ir *ir, Way way, const Word *word) {
+static bool recurs(const Rewrite *rewrite, const Word *word) {
+  const Ir *ir = rewrite->scope.ir;
   for (size_t i = 0; i + 1 < word->count; i++) {
-    const KindFacts *facts = &ir->facts->kinds[word->at[i].kind];
-    if (way == WAY_INTERPRET ? facts->homomorphisms.count : !facts->terminal) return true;
+    KindId kind = word->at[i].kind;
+    bool shown = ir->facts->systems[rewrite->system].homomorphisms[kind].count;
+    if (rewrite->way == WAY_INTERPRET ? shown : !ir->facts->kinds[kind].terminal) return true;
   }
   return false;
 }
@@ -172,7 +188,7 @@ static void check_stack(Rewrite *rewrite) {
 
 static void take_any(Rewrite *rewrite, const Production *production) {
   Ir *ir = rewrite->scope.ir;
-  if (recurs(ir, rewrite->way, &production->successor)) check_stack(rewrite);
+  if (recurs(rewrite, &production->successor)) check_stack(rewrite);
   successor_emit(rewrite, production, module_hand_on, 0);
   if (production->successor.count == 0) LLVMBuildRetVoid(ir->builder);
 }
@@ -251,6 +267,7 @@ static void begin(Rewrite *rewrite, LLVMValueRef function) {
     *VEC_PUSH(ir->arena, &rewrite->variables) = phi;
   }
   LLVMValueRef *at = rewrite->variables.at;
+  if (rewrite->walk) rewrite->walk->scans = walk_scans(ir, *at++);
   if (rewrite->way != WAY_INTERPRET) rewrite->steps = *at++;
   if (rewrite->way != WAY_EXPAND) rewrite->depth = *at++;
   rewrite->args = at;
@@ -304,14 +321,13 @@ static LLVMValueRef table_now(Rewrite *rewrite) {
   LLVMValueRef total = ir_load(ir, ir->types.i64, rewrite->scope.run, ir->types.run, RUN_STEPS);
   LLVMValueRef step = LLVMBuildSub(ir->builder, total, rewrite->steps, "");
   LLVMValueRef count = ir_int(ir, ir->program->lsystems[0].schedule_count);
-  LLVMValueRef at = ir_advance(ir, ir->types.i32, ir->schedule, LLVMBuildURem(ir->builder, step, count, ""));
+  LLVMValueRef at = ir_advance(ir, ir->types.i32, ir->schedules[0], LLVMBuildURem(ir->builder, step, count, ""));
   return LLVMBuildLoad2(ir->builder, ir->types.i32, at, "table");
 }
 
-// Levels that the section allows, counted down while modules are handed on.
-LLVMValueRef expand_depth(Ir *ir, Way way) {
-  const LSystem *main_system = &ir->program->lsystems[0];
-  const Rewriting *section = way == WAY_INTERPRET ? &main_system->homomorphism : &main_system->decomposition;
+LLVMValueRef expand_depth(Ir *ir, Way way, size_t system) {
+  const LSystem *lsystem = &ir->program->lsystems[system];
+  const Rewriting *section = way == WAY_INTERPRET ? &lsystem->homomorphism : &lsystem->decomposition;
   double depth = 1;
   if (section->depth) expr_constant(ir->program, section->depth, &depth);
   return ir_int(ir, depth > 0 ? depth < 0x1p62 ? (uint64_t)depth : UINT64_C(1) << 62 : 0);
@@ -328,7 +344,7 @@ static void prepare(Rewrite *rewrite, const Productions *productions) {
   }
   if (rewrite->way == WAY_EXPAND) {
     rewrite->left = LLVMBuildSub(ir->builder, rewrite->steps, one, "left");
-    rewrite->deeper = expand_depth(ir, WAY_DECOMPOSE);
+    rewrite->deeper = expand_depth(ir, WAY_DECOMPOSE, rewrite->system);
   } else {
     rewrite->left = rewrite->steps;
     rewrite->deeper = LLVMBuildSub(ir->builder, rewrite->depth, one, "deeper");
@@ -340,12 +356,15 @@ static void prepare(Rewrite *rewrite, const Productions *productions) {
   }
 }
 
-static void define(Ir *ir, Way way, KindId kind) {
-  Rewrite rewrite = {.scope = {.ir = ir, .constant_values = !ir->state}, .way = way, .kind = kind};
+static void define(Ir *ir, Way way, size_t system, KindId kind) {
+  Rewrite rewrite = {.scope = {.ir = ir, .constant_values = !ir->state}, .way = way, .kind = kind, .system = system};
+  Walk walk = {0};
+  if (expand_takes_scan(ir, way)) rewrite.walk = &walk;
   rewrite.silent = way == WAY_INTERPRET;
-  const Productions *productions = way_productions(ir, way, kind);
-  debug_function(ir, ir->ways[way][kind], productions->count ? productions->at[0]->head : (Span){0, 0});
-  begin(&rewrite, ir->ways[way][kind]);
+  LLVMValueRef function = expand_function(ir, way, system, kind);
+  const Productions *productions = expand_productions(ir, way, system, kind);
+  debug_function(ir, function, productions->count ? productions->at[0]->head : (Span){0, 0});
+  begin(&rewrite, function);
   if (productions->count) debug_arguments(&rewrite, productions->at[0]);
   if (way == WAY_EXPAND && ir->facts->kinds[kind].fixed) use_blocks(&rewrite);
   stop_at_zero(&rewrite, way == WAY_EXPAND ? rewrite.steps : rewrite.depth);
@@ -353,15 +372,20 @@ static void define(Ir *ir, Way way, KindId kind) {
   if (select_production(&rewrite, productions, take)) stay(&rewrite);
 }
 
+static LLVMValueRef schedule(Ir *ir, const LSystem *lsystem) {
+  if (!lsystem->schedule) return NULL;
+  LLVMValueRef *tables = arena_array(ir->arena, lsystem->schedule_count, sizeof *tables);
+  for (size_t i = 0; i < lsystem->schedule_count; i++)
+    tables[i] = LLVMConstInt(ir->types.i32, lsystem->schedule[i], false);
+  return ir_data(ir, LLVMConstArray2(ir->types.i32, tables, lsystem->schedule_count), "schedule");
+}
+
 void expand_define(Ir *ir) {
-  const LSystem *main_system = &ir->program->lsystems[0];
-  if (main_system->schedule) {
-    LLVMValueRef *tables = arena_array(ir->arena, main_system->schedule_count, sizeof *tables);
-    for (size_t i = 0; i < main_system->schedule_count; i++)
-      tables[i] = LLVMConstInt(ir->types.i32, main_system->schedule[i], false);
-    ir->schedule = ir_data(ir, LLVMConstArray2(ir->types.i32, tables, main_system->schedule_count), "schedule");
-  }
+  size_t systems = ir->program->lsystem_count;
+  ir->schedules = arena_array(ir->arena, systems, sizeof *ir->schedules);
+  for (size_t s = 0; s < systems; s++) ir->schedules[s] = schedule(ir, &ir->program->lsystems[s]);
   for (Way way = 0; way < WAY_COUNT; way++)
-    for (KindId k = 0; k < ir->program->kind_count; k++)
-      if (ir->ways[way][k]) define(ir, way, k);
+    for (size_t s = 0; s < systems; s++)
+      for (KindId k = 0; k < ir->program->kind_count; k++)
+        if (expand_function(ir, way, s, k)) define(ir, way, s, k);
 }

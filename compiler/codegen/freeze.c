@@ -115,6 +115,17 @@ static LLVMValueRef surfaces(Ir *ir) {
                           : LLVMConstNull(ir->types.ptr);
 }
 
+static LLVMValueRef views(Ir *ir) {
+  const LsysGrammar *g = ir->description;
+  LLVMValueRef *rows = arena_array(ir->arena, g->view_count, sizeof *rows);
+  for (uint32_t i = 0; i < g->view_count; i++) {
+    LLVMValueRef fields[] = {bytes(ir, g->views[i].context_class, g->kind_count, "context_class"),
+                             ir_int(ir, g->views[i].ring)};
+    rows[i] = LLVMConstStructInContext(ir->context, fields, 2, false);
+  }
+  return structs(ir, LLVMTypeOf(rows[0]), rows, g->view_count, "views");
+}
+
 // One field of the descriptor: where it stands in C, and its value.
 typedef struct Field {
   size_t offset;
@@ -165,13 +176,16 @@ void freeze_grammar(Ir *ir, const Entries *entries) {
     FIELD(axiom, pointer(ir, entries->axiom)),
     FIELD(expand, pointer(ir, entries->expand)),
     FIELD(step, pointer(ir, entries->step)),
-    FIELD(context_class, bytes(ir, g->context_class, g->kind_count, "context_class")),
+    FIELD(views, views(ir)),
+    FIELD(view_count, int_of(i32, g->view_count)),
     FIELD(left_window, int_of(i32, g->left_window)),
+    FIELD(system_count, int_of(i32, g->system_count)),
     FIELD(block, pointer(ir, entries->block)),
     FIELD(decompose, pointer(ir, entries->decompose)),
     FIELD(derive, null),
     FIELD(derive_data, null),
     FIELD(homomorphism, pointer(ir, entries->homomorphism)),
+    FIELD(interpret, pointer(ir, entries->interpret)),
     FIELD(surface_count, int_of(i32, g->surface_count)),
     FIELD(surfaces, surfaces(ir)),
   };

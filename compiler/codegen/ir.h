@@ -47,7 +47,9 @@ enum {
   SCAN_DEPTH,
   SCAN_FRESH,
   SCAN_AHEAD_KNOWN,
-  SCAN_PASSED
+  SCAN_PASSED,
+  SCAN_SYSTEM,
+  SCAN_OTHER
 };
 enum { NEIGHBOUR_KIND, NEIGHBOUR_WRAP, NEIGHBOUR_ARG };
 enum { CURSOR_SYM, CURSOR_END, CURSOR_ARG, CURSOR_FOUND, CURSOR_SEGMENT, CURSOR_OPEN };
@@ -57,8 +59,9 @@ enum { RUN_GRAMMAR, RUN_VALUE, RUN_ROOT, RUN_STEPS, RUN_BLOCK, RUN_BLOCK_LEVELS,
 typedef enum Way {
   WAY_EXPAND,     // (out, steps, args..., key): derives by that many steps
   WAY_DECOMPOSE,  // (out, steps, depth, args..., key): decomposes, then derives by steps
-  WAY_INTERPRET,  // (out, depth, args..., key): homomorphism
-  WAY_STEP,       // no function of its own: in the loop of step.c
+  WAY_INTERPRET,  // (out, depth, args..., key): homomorphism; (out, scan, depth, args..., key) where it takes whole
+                  // words
+  WAY_STEP,       // no function of its own: in a loop over the word
   WAY_COUNT
 } Way;
 
@@ -81,9 +84,10 @@ typedef struct Ir {
   uint32_t *counter;                      // per call site: its repetition counter, or NO_COUNTER
   uint32_t counters;                      // how many there are
   LLVMValueRef *functions;                // user functions
-  LLVMValueRef *ways[WAY_COUNT];          // per way and kind: the function, or NULL
-  LLVMValueRef schedule;                  // table of each step (T0L), or NULL
+  LLVMValueRef *ways[WAY_COUNT];          // per way, L-system and kind: the function, or NULL (expand_function)
+  LLVMValueRef *schedules;                // per L-system: table of each step (T0L), or NULL
   bool state;                             // globals or blocks: everything happens in order, one after the other
+  bool apart;                             // decomposition is a walk of its own behind each step
   bool stepping;                          // for the step engine: a module is derived by one step at a time
   uint32_t room_sym, room_arg, room_key;  // the most that was asked for at once
 } Ir;
@@ -168,20 +172,23 @@ typedef struct Line {
   VEC(LLVMValueRef) keys;
 } Line;
 
-// Where the loop of a step stands in the word (lsys/scan.h).
-typedef struct Step {
-  LLVMValueRef scan, end;
-  LLVMValueRef sym, arg, key;  // the module that is rewritten
-  LLVMValueRef table;          // T0L: the table of this step
+// Where a loop over a word stands (lsys/scan.h).
+typedef struct Walk {
+  LLVMValueRef *scans;                        // one for each view
+  LLVMValueRef sym, arg, key, end;            // the module at hand
+  LLVMBasicBlockRef next;                     // the latch,
+  LLVMValueRef next_sym, next_arg, next_key;  //   and its phis
+  bool left, right;                           // some production that is tried has such a context
+  LLVMValueRef *tables;                       // T0L: each L-system's table of this step
   LLVMValueRef counters;
-  struct Loop *loop;  // step.c's own
-} Step;
+} Walk;
 
 // A rewriting function under construction, at one place in it.
 typedef struct Rewrite {
   Scope scope;  // of the production at hand; its key is the module's
   Way way;
   KindId kind;
+  size_t system;                // the L-system whose productions apply
   LLVMValueRef *args;           // the module's arguments
   LLVMValueRef out;             // the stream
   LLVMValueRef steps;           // WAY_EXPAND: steps left, this one included; WAY_DECOMPOSE: behind this step
@@ -191,7 +198,7 @@ typedef struct Rewrite {
   VEC(LLVMValueRef) variables;  //   and its variables: the function's parameters behind out
   LLVMValueRef left, deeper;    // steps and levels that the successor's modules have left
   bool silent;                  // results carry no keys (homomorphism)
-  const Step *step;             // WAY_STEP
+  Walk *walk;                   // where neighbours are looked for; NULL where there are no contexts
   LLVMBasicBlockRef done;       // where to go behind the last module; NULL: the function returns
   Line line;
 } Rewrite;
@@ -201,8 +208,15 @@ typedef struct Rewrite {
 typedef void (*Take)(Rewrite *rewrite, const Production *production);
 bool select_production(Rewrite *rewrite, const Productions *productions, Take take);
 
-// step.c: an i32, 1 if the module that is rewritten stands on the root's axis, in no branch.
-LLVMValueRef step_on_root_axis(const Rewrite *rewrite);
+// walk.c: a function (scan, out) that goes through a word. `each` emits what happens to a module of rewrite->kind that
+// belongs to rewrite->system, and ends with walk_pass or walk_cut; `begin`, unless NULL, what is known before the loop.
+typedef void (*Each)(Rewrite *rewrite);
+LLVMValueRef walk_emit(Ir *ir, const char *name, Way way, Each begin, Each each);
+void walk_pass(Rewrite *rewrite, const KindId *kinds, size_t count);  // on behind modules of these kinds
+void walk_cut(Rewrite *rewrite);                                      // on at the end of the branch
+void walk_store(const Rewrite *rewrite);                              // lets the scans stand at the module at hand
+LLVMValueRef *walk_scans(Ir *ir, LLVMValueRef first);                 // the scans of all views
+LLVMValueRef walk_scan(const Rewrite *rewrite);                       // the one that rewrite->system's contexts look at
 
 // neighbours.c: goes on only where the rest of the strict predecessor and the contexts fit; binds their parameters.
 void neighbours_require(Rewrite *rewrite, const Production *production, Slot *slots, LLVMBasicBlockRef fail);
@@ -232,12 +246,20 @@ void fuse_emit(Rewrite *rewrite, const Production *production, unsigned levels);
 void expand_declare(Ir *ir);
 void expand_define(Ir *ir);
 void module_hand_on(Rewrite *rewrite, const Derived *module, unsigned steps);  // what a rewriting produced goes on
-LLVMValueRef expand_depth(Ir *ir, Way way);  // levels that the section of WAY_DECOMPOSE or WAY_INTERPRET allows
+// Levels that the L-system's section of WAY_DECOMPOSE or WAY_INTERPRET allows.
+LLVMValueRef expand_depth(Ir *ir, Way way, size_t system);
+const Productions *expand_productions(const Ir *ir, Way way, size_t system, KindId kind);
+LLVMValueRef expand_function(const Ir *ir, Way way, size_t system, KindId kind);  // NULL: none is needed
+bool expand_takes_scan(const Ir *ir, Way way);
 
 // entry.c: the descriptor's functions that take packed words; NULL where the grammar has no such thing.
 LLVMValueRef entry_expand(Ir *ir);
 LLVMValueRef entry_homomorphism(Ir *ir);
-LLVMValueRef entry_decompose(Ir *ir);
+
+// whole.c: the same for whole words, whose modules are replaced where they stand.
+LLVMValueRef whole_decompose(Ir *ir);
+LLVMValueRef whole_interpret(Ir *ir);
+LLVMValueRef image_key(Ir *ir, size_t system, LLVMValueRef key);  // from which a module's homomorphism starts
 
 // step.c: the descriptor's function that rewrites a word once; NULL where the expand engine does.
 LLVMValueRef step_emit(Ir *ir);
@@ -253,7 +275,7 @@ LLVMValueRef axiom_emit(Ir *ir);
 
 // freeze.c: the description as an exported constant that points at the functions.
 typedef struct Entries {
-  LLVMValueRef init, axiom, expand, step, block, decompose, homomorphism;
+  LLVMValueRef init, axiom, expand, step, block, decompose, homomorphism, interpret;
 } Entries;
 void freeze_grammar(Ir *ir, const Entries *entries);
 

@@ -48,18 +48,18 @@ static void bind(Matcher *m, const Pattern *pattern, LLVMValueRef arg) {
 
 static void match_strict(Matcher *m) {
   Ir *ir = m->rewrite->scope.ir;
-  const Step *step = m->rewrite->step;
+  const Walk *walk = m->rewrite->walk;
   const Context *strict = &m->production->strict;
   if (strict->count == 1) return;
-  LLVMValueRef end = ir_advance(ir, ir->types.symbol, step->sym, ir_int(ir, strict->count));
-  require(m, LLVMBuildICmp(ir->builder, LLVMIntULE, end, step->end, ""));
+  LLVMValueRef end = ir_advance(ir, ir->types.symbol, walk->sym, ir_int(ir, strict->count));
+  require(m, LLVMBuildICmp(ir->builder, LLVMIntULE, end, walk->end, ""));
   uint32_t args = ir->program->kinds[strict->at[0].kind].arity;
   for (size_t i = 1; i < strict->count; i++) {
-    LLVMValueRef at = ir_advance(ir, ir->types.symbol, step->sym, ir_int(ir, i));
+    LLVMValueRef at = ir_advance(ir, ir->types.symbol, walk->sym, ir_int(ir, i));
     LLVMValueRef symbol = LLVMBuildLoad2(ir->builder, ir->types.symbol, at, "");
     LLVMSetAlignment(symbol, 1);
     require_kind(m, LLVMBuildZExt(ir->builder, symbol, ir->types.i32, ""), strict->at[i].kind);
-    bind(m, &strict->at[i], ir_advance(ir, ir->types.f64, step->arg, ir_int(ir, args)));
+    bind(m, &strict->at[i], ir_advance(ir, ir->types.f64, walk->arg, ir_int(ir, args)));
     args += ir->program->kinds[strict->at[i].kind].arity;
   }
 }
@@ -69,11 +69,9 @@ static void match_strict(Matcher *m) {
 // In a ring, a neighbour from around the end of the word stands behind the strict predecessor.
 static void require_behind(Matcher *m, LLVMValueRef neighbour) {
   Ir *ir = m->rewrite->scope.ir;
-  LLVMValueRef scan = m->rewrite->step->scan, zero = LLVMConstInt(ir->types.i32, 0, false);
+  LLVMValueRef scan = walk_scan(m->rewrite), zero = LLVMConstInt(ir->types.i32, 0, false);
   LLVMValueRef wrap = ir_load(ir, ir->types.i32, neighbour, ir->types.neighbour, NEIGHBOUR_WRAP);
   LLVMValueRef passed = ir_load(ir, ir->types.i32, scan, ir->types.scan, SCAN_PASSED);
-  if (ir->description->context_class[m->rewrite->kind] == LSYS_CLASS_SEEN)
-    passed = LLVMBuildAdd(ir->builder, passed, step_on_root_axis(m->rewrite), "");
   LLVMValueRef near = LLVMBuildICmp(ir->builder, LLVMIntEQ, wrap, zero, "");
   LLVMValueRef behind = LLVMBuildICmp(ir->builder, LLVMIntUGT, wrap, passed, "");
   require(m, LLVMBuildOr(ir->builder, near, behind, ""));
@@ -83,7 +81,8 @@ static void match_left(Matcher *m) {
   Ir *ir = m->rewrite->scope.ir;
   const Context *left = &m->production->left;
   if (!left->count) return;
-  LLVMValueRef scan = m->rewrite->step->scan;
+  LLVMValueRef scan = walk_scan(m->rewrite);
+  bool ring = ir->program->lsystems[m->rewrite->system].ring;
   uint32_t j = 0;
   for (size_t p = left->count; p-- > 0;) {
     if (left->at[p].what == PATTERN_OPEN) {
@@ -93,7 +92,7 @@ static void match_left(Matcher *m) {
     LLVMValueRef window = ir_load(ir, ir->types.ptr, scan, ir->types.scan, SCAN_LEFT);
     LLVMValueRef at = ir_advance(ir, ir->types.neighbour, window, ir_int(ir, j++));
     require_kind(m, ir_load(ir, ir->types.i32, at, ir->types.neighbour, NEIGHBOUR_KIND), left->at[p].kind);
-    if (ir->description->flags & LSYS_GRAMMAR_RING) require_behind(m, at);
+    if (ring) require_behind(m, at);
     bind(m, &left->at[p], ir_load(ir, ir->types.ptr, at, ir->types.neighbour, NEIGHBOUR_ARG));
   }
 }
@@ -114,20 +113,15 @@ static LLVMValueRef make_cursor(Matcher *m) {
 // The kind of the next seen module; first: directly behind a strict predecessor of one module.
 static LLVMValueRef ahead(Matcher *m, LLVMValueRef cursor, bool first) {
   Ir *ir = m->rewrite->scope.ir;
-  LLVMValueRef scan = m->rewrite->step->scan;
-  if (!first) return call(m, "lsys_ahead", ir->types.i32, (LLVMValueRef[]){scan, cursor}, 2);
-  LLVMValueRef arity = LLVMConstInt(ir->types.i32, ir->program->kinds[m->rewrite->kind].arity, false);
-  return call(m, "lsys_right", ir->types.i32, (LLVMValueRef[]){scan, cursor, arity}, 3);
+  LLVMValueRef args[] = {walk_scan(m->rewrite), cursor};
+  return call(m, first ? "lsys_right" : "lsys_ahead", ir->types.i32, args, 2);
 }
 
 static void put_behind(Matcher *m, LLVMValueRef cursor) {
   Ir *ir = m->rewrite->scope.ir;
-  const Context *strict = &m->production->strict;
-  uint32_t args = 0;
-  for (size_t i = 0; i < strict->count; i++) args += ir->program->kinds[strict->at[i].kind].arity;
-  LLVMValueRef modules = LLVMConstInt(ir->types.i32, strict->count, false);
-  LLVMValueRef values[] = {m->rewrite->step->scan, cursor, modules, LLVMConstInt(ir->types.i32, args, false)};
-  call(m, "lsys_behind", ir->types.none, values, 4);
+  LLVMValueRef modules = LLVMConstInt(ir->types.i32, m->production->strict.count, false);
+  LLVMValueRef values[] = {walk_scan(m->rewrite), cursor, modules};
+  call(m, "lsys_behind", ir->types.none, values, 3);
 }
 
 static bool closes(const Matcher *m, const Pattern *pattern) {
@@ -158,7 +152,7 @@ static void match_group(Matcher *m, size_t p, size_t end, LLVMValueRef cursor) {
   LLVMBasicBlockRef again = ir_block(ir, "branch"), fail = m->fail;
   LLVMBuildBr(ir->builder, again);
   ir_at(ir, again);
-  LLVMValueRef args[] = {m->rewrite->step->scan, cursor, inside};
+  LLVMValueRef args[] = {walk_scan(m->rewrite), cursor, inside};
   require(m, LLVMBuildTrunc(ir->builder, call(m, "lsys_branch", ir->types.i8, args, 3), ir->types.i1, ""));
   m->fail = again;
   match_axis(m, p, end, inside, false);
@@ -173,7 +167,7 @@ static void match_module(Matcher *m, const Pattern *pattern, LLVMValueRef cursor
 
 static void require_closes(Matcher *m, LLVMValueRef cursor) {
   Ir *ir = m->rewrite->scope.ir;
-  LLVMValueRef args[] = {m->rewrite->step->scan, cursor};
+  LLVMValueRef args[] = {walk_scan(m->rewrite), cursor};
   require(m, LLVMBuildTrunc(ir->builder, call(m, "lsys_closes", ir->types.i8, args, 2), ir->types.i1, ""));
 }
 

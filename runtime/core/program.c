@@ -32,7 +32,8 @@ static bool add_sink(Outputs *outputs, LsysSinkContext context, LsysSinkCreate *
   context.out = out;
   LsysSink *sink = create(&context);
   bool shown = reads == LSYS_READS_FIGURE || context.options->at[LSYS_OPTION_HOMOMORPHISM].given;
-  if (sink && shown && context.grammar->homomorphism) sink = lsys_sink_homomorphism(&context, sink);
+  if (sink && shown && (context.grammar->flags & LSYS_GRAMMAR_HOMOMORPHISM))
+    sink = lsys_sink_homomorphism(&context, sink);
   if (sink) outputs->sinks[outputs->count++] = sink;
   return sink;
 }
@@ -66,8 +67,9 @@ static bool open_outputs(Outputs *outputs, const LsysSinkContext *context) {
   bool word = asked || !(reports || outputs->borrowed);
   outputs->screen = lsys_out_open("-");
   if (!outputs->screen || (word && !add_word(outputs, context)) || !add_reports(outputs, context)) return false;
-  outputs->only_counts = counts && !options[LSYS_OPTION_RANGE].given && outputs->count == 1
-                      && !(context->grammar->homomorphism && options[LSYS_OPTION_HOMOMORPHISM].given);
+  outputs->only_counts =
+    counts && !options[LSYS_OPTION_RANGE].given && outputs->count == 1
+    && !((context->grammar->flags & LSYS_GRAMMAR_HOMOMORPHISM) && options[LSYS_OPTION_HOMOMORPHISM].given);
   return true;
 }
 

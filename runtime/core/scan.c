@@ -97,17 +97,19 @@ bool lsys_closes(const LsysScan *scan, const LsysCursor *cursor) {
   return approach(scan, &at, true, &kind) == LSYS_CLASS_CLOSE && kind != LSYS_NO_MODULE;
 }
 
-void lsys_behind(const LsysScan *scan, LsysCursor *cursor, uint32_t modules, uint32_t args) {
-  *cursor = (LsysCursor){scan->sym, scan->end, scan->arg + args, NULL, scan->segment, scan->open};
-  const LsysSegment *segment = &scan->segments[scan->segment];
-  cursor->end = segment->end;
-  for (; modules; modules--, cursor->sym += 1 + scan->wide)
-    cursor->open += scan->context_class[symbol(cursor->sym, scan->wide)] == LSYS_CLASS_OPEN;
+void lsys_behind(const LsysScan *scan, LsysCursor *cursor, uint32_t modules) {
+  const uint8_t *end = scan->segments[scan->segment].end;
+  *cursor = (LsysCursor){scan->sym, end, scan->arg, NULL, scan->segment, scan->open};
+  for (; modules; modules--) {
+    uint32_t kind = symbol(cursor->sym, scan->wide);
+    cursor->open += scan->context_class[kind] == LSYS_CLASS_OPEN;
+    pass(scan, cursor, kind);
+  }
 }
 
-uint32_t lsys_right(LsysScan *scan, LsysCursor *cursor, uint32_t args) {
+uint32_t lsys_right(LsysScan *scan, LsysCursor *cursor) {
   if (!scan->ahead_known) {
-    lsys_behind(scan, &scan->ahead, 1, args);
+    lsys_behind(scan, &scan->ahead, 1);
     scan->ahead_kind = lsys_ahead(scan, &scan->ahead);
     scan->ahead_known = 1;
   }
@@ -162,6 +164,29 @@ void lsys_scan_close(LsysScan *scan) {
   scan->fresh = level->fresh;
 }
 
+// ---- sub-L-systems ---------------------------------------------------------------
+
+void lsys_scan_enter(LsysScan *scan, double number) {
+  if (!(number >= 0 && number < scan->run->grammar->system_count))
+    lsys_fail(scan->run, "?(%.17g): there is no L-system of that number", number);
+  if (scan->nested == scan->around_room) {
+    size_t room = scan->around_room ? 2 * scan->around_room : 64;
+    lsys_charge(scan->run, (int64_t)((room - scan->around_room) * sizeof *scan->around));
+    uint32_t *around = realloc(scan->around, room * sizeof *around);
+    if (!around) lsys_fail(scan->run, "out of memory for %zu nested L-systems", room);
+    scan->around = around;
+    scan->around_room = room;
+  }
+  scan->around[scan->nested++] = scan->system;
+  scan->system = (uint32_t)number;
+}
+
+void lsys_scan_leave(LsysScan *scan) {
+  if (scan->nested) scan->system = scan->around[--scan->nested];
+}
+
+// ---- the cut ---------------------------------------------------------------------
+
 void lsys_cut(LsysScan *scan) {
   const LsysKind *kinds = scan->run->grammar->kinds;
   size_t depth = 0;
@@ -186,8 +211,8 @@ bool scan_tables(ScanTables *tables, const LsysGrammar *grammar) {
   if (!tables->arity) return false;
   for (uint32_t kind = 0; kind < grammar->kind_count; kind++) {
     tables->arity[kind] = grammar->kinds[kind].arity;
-    if (grammar->context_class[kind] == LSYS_CLASS_OPEN) tables->open = kind;
-    if (grammar->context_class[kind] == LSYS_CLASS_CLOSE) tables->close = kind;
+    if (grammar->views->context_class[kind] == LSYS_CLASS_OPEN) tables->open = kind;
+    if (grammar->views->context_class[kind] == LSYS_CLASS_CLOSE) tables->close = kind;
   }
   return true;
 }
@@ -271,11 +296,9 @@ static void wrap_window(LsysScan *scan) {
   scan->ring = ring;
 }
 
-void scan_start(LsysScan *scan, const ScanTables *tables, LsysRun *run, const LsysSegment *segments, uint32_t count,
-                LsysNeighbour *left) {
-  struct LsysLevel *levels = scan->levels;
-  LsysNeighbour *saved = scan->saved;
-  size_t room = scan->level_room;
+void scan_start(LsysScan *scan, const ScanTables *tables, const LsysContextView *view, LsysRun *run,
+                const LsysSegment *segments, uint32_t count, LsysNeighbour *left) {
+  const LsysScan kept = *scan;
   const LsysGrammar *grammar = tables->grammar;
   *scan = (LsysScan){.sym = segments[0].sym,
                      .end = segments[0].end,
@@ -286,19 +309,22 @@ void scan_start(LsysScan *scan, const ScanTables *tables, LsysRun *run, const Ls
                      .run = run,
                      .segments = segments,
                      .segment_count = count,
-                     .context_class = grammar->context_class,
+                     .context_class = view->context_class,
                      .arity = tables->arity,
                      .wide = tables->wide,
-                     .ring = (grammar->flags & LSYS_GRAMMAR_RING) != 0,
-                     .levels = levels,
-                     .level_room = room,
-                     .saved = saved};
+                     .ring = view->ring != 0,
+                     .levels = kept.levels,
+                     .level_room = kept.level_room,
+                     .saved = kept.saved,
+                     .around = kept.around,
+                     .around_room = kept.around_room};
   forget_left(scan);
   if (scan->ring) wrap_window(scan);
 }
 
 void scan_free(LsysScan *scan, LsysRun *run) {
-  lsys_charge(run, -(int64_t)level_bytes(scan, scan->level_room));
+  lsys_charge(run, -(int64_t)(level_bytes(scan, scan->level_room) + scan->around_room * sizeof *scan->around));
   free(scan->levels);
   free(scan->saved);
+  free(scan->around);
 }

@@ -30,9 +30,9 @@ typedef struct ScanIndex {
 void scan_index(ScanIndex *index, const ScanTables *tables, LsysRun *run, LsysSegment *segments, uint32_t count);
 void scan_index_free(ScanIndex *index, LsysRun *run);
 
-// A scan at the beginning of the word. left has room for the grammar's window.
-void scan_start(LsysScan *scan, const ScanTables *tables, LsysRun *run, const LsysSegment *segments, uint32_t count,
-                LsysNeighbour *left);
+// A scan at the beginning of the word, which is all zeros or was used before. left has room for the grammar's window.
+void scan_start(LsysScan *scan, const ScanTables *tables, const LsysContextView *view, LsysRun *run,
+                const LsysSegment *segments, uint32_t count, LsysNeighbour *left);
 void scan_free(LsysScan *scan, LsysRun *run);
 
 #endif

@@ -5,33 +5,24 @@ static bool open_stepper(LsysStepper *stepper, LsysWorker *worker) {
   const LsysGrammar *grammar = worker->run.grammar;
   *stepper = (LsysStepper){.worker = worker};
   for (int i = 0; i < 2; i++) lsys_store_open(&stepper->words[i], grammar, worker->memory);
-  stepper->left = lsys_memory_alloc(worker->memory, grammar->left_window, sizeof *stepper->left);
-  return stepper->left && scan_tables(&stepper->tables, grammar)
-      && lsys_writer_open(&stepper->writer, worker, &stepper->words[1].sink);
+  return lsys_walk_open(&stepper->walk, worker) && lsys_writer_open(&stepper->writer, worker, &stepper->words[1].sink);
 }
 
 void lsys_stepper_close(LsysStepper *stepper) {
   if (!stepper->worker) return;
-  LsysMemory *memory = stepper->worker->memory;
-  lsys_memory_free(memory, stepper->left, stepper->worker->run.grammar->left_window, sizeof *stepper->left);
   for (int i = 0; i < 2; i++) lsys_store_close(&stepper->words[i]);
   if (stepper->writer.stream.run) lsys_writer_close(&stepper->writer);
-  scan_free(&stepper->scan, &stepper->worker->run);
-  scan_index_free(&stepper->index, &stepper->worker->run);
-  scan_tables_free(&stepper->tables);
+  lsys_walk_close(&stepper->walk);
   *stepper = (LsysStepper){0};
 }
 
 // Rewrites every module of `from` into a sink.
 static void rewrite(LsysStepper *stepper, const LsysStore *from, LsysSink *to, uint64_t step) {
-  LsysRun *run = &stepper->worker->run;
-  LsysSegment segment = {
-    .sym = from->sym, .end = from->sym + from->nsym * from->width, .arg = from->arg, .key = from->key};
+  LsysWord word = lsys_store_word(from);
+  LsysScan *scan = lsys_walk_start(&stepper->walk, &word);
   stepper->writer.sink = to;
-  scan_index(&stepper->index, &stepper->tables, run, &segment, 1);
-  scan_start(&stepper->scan, &stepper->tables, run, &segment, 1, stepper->left);
-  stepper->scan.step = step;
-  run->grammar->step(&stepper->scan, &stepper->writer.stream);
+  scan->step = step;
+  stepper->worker->run.grammar->step(scan, &stepper->writer.stream);
   lsys_flush(&stepper->writer.stream);
 }
 
@@ -47,13 +38,13 @@ static unsigned decompose(LsysStepper *stepper, unsigned now) {
   LsysStore *next = &stepper->words[!now];
   lsys_store_clear(next);
   stepper->writer.sink = &next->sink;
-  run->grammar->decompose(run, &word, &stepper->writer.stream);
+  run->grammar->decompose(lsys_walk_start(&stepper->walk, &word), &stepper->writer.stream);
   lsys_flush(&stepper->writer.stream);
   return !now;
 }
 
-// Steps between blocks, which may stop them: the last word is known only behind it.
-static bool run_with_blocks(LsysStepper *stepper, LsysSink *sink) {
+// Steps with something behind each: blocks, which may stop them, and decomposition. The last word is known only then.
+static bool run_apart(LsysStepper *stepper, LsysSink *sink) {
   LsysRun *run = &stepper->worker->run;
   unsigned now = 0;
   for (uint64_t step = 0; step < run->steps && !run->stopped; step++) {
@@ -73,7 +64,7 @@ bool lsys_stepper_run(LsysStepper *stepper, LsysWorker *worker, const LsysWord *
   uint64_t steps = worker->run.steps;
   if (!steps && !worker->run.grammar->block) return sink->take(sink, axiom);
   if (!open_stepper(stepper, worker) || !stepper->words[0].sink.take(&stepper->words[0].sink, axiom)) return false;
-  if (worker->run.grammar->block) return run_with_blocks(stepper, sink);
+  if (worker->run.grammar->block || worker->run.grammar->decompose) return run_apart(stepper, sink);
   unsigned now = 0;
   for (uint64_t step = 0; step < steps; step++, now = !now) {
     LsysStore *next = &stepper->words[!now];

@@ -3,16 +3,13 @@
 #ifndef LSYS_CORE_STEP_H
 #define LSYS_CORE_STEP_H
 
-#include "core/scan.h"
 #include "core/store.h"
 #include "core/stream.h"
+#include "core/walk.h"
 
 typedef struct LsysStepper {
   LsysWorker *worker;
-  ScanTables tables;
-  ScanIndex index;
-  LsysScan scan;
-  LsysNeighbour *left;
+  LsysWalk walk;       // through the word that is read
   LsysStore words[2];  // take turns: one is read while the other one is written
   LsysWriter writer;   // its sink is the store that is written
 } LsysStepper;

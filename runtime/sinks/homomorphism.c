@@ -4,6 +4,7 @@
 
 #include "core/store.h"
 #include "core/stream.h"
+#include "core/walk.h"
 
 typedef struct HomomorphismSink {
   LsysSink sink;
@@ -12,11 +13,13 @@ typedef struct HomomorphismSink {
   LsysRun *run;       // a worker's
   LsysWriter writer;  // into inner
   bool whole, open;
-  LsysStore store;  // the word, if it is needed as a whole
+  LsysStore store;  // the word, if it is needed as a whole,
+  LsysWalk walk;    //   and compiled code's way through it
 } HomomorphismSink;
 
 static void close(HomomorphismSink *filter) {
   if (filter->open) lsys_writer_close(&filter->writer);
+  lsys_walk_close(&filter->walk);
   filter->open = false;
 }
 
@@ -37,12 +40,21 @@ static bool take(LsysSink *sink, const LsysWord *part) {
   return true;
 }
 
+static bool show_whole(HomomorphismSink *filter) {
+  const LsysGrammar *grammar = filter->run->grammar;
+  LsysWord word = lsys_store_word(&filter->store);
+  if (!grammar->interpret) {
+    grammar->homomorphism(filter->run, &word, &filter->writer.stream);
+    return true;
+  }
+  if (!lsys_walk_open(&filter->walk, (LsysWorker *)filter->run)) return false;
+  grammar->interpret(lsys_walk_start(&filter->walk, &word), &filter->writer.stream);
+  return true;
+}
+
 static bool end(LsysSink *sink) {
   HomomorphismSink *filter = (HomomorphismSink *)sink;
-  if (filter->whole) {
-    LsysWord word = lsys_store_word(&filter->store);
-    filter->run->grammar->homomorphism(filter->run, &word, &filter->writer.stream);
-  }
+  if (filter->whole && !show_whole(filter)) return false;
   lsys_flush(&filter->writer.stream);
   return filter->inner->end(filter->inner);
 }

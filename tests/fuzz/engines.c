@@ -72,7 +72,7 @@ static bool derive(const LsysGrammar *grammar, Collector *into) {
   LsysMemory memory = {.limit = UINT64_C(1) << 31};
   if (!derive_into(grammar, &options, &memory, &into->sink)) return false;
   into->lengths.word = into->lengths.figure = into->sym.count / into->width;
-  if (!grammar->homomorphism) return true;
+  if (!(grammar->flags & LSYS_GRAMMAR_HOMOMORPHISM)) return true;
   LsysSink *figure = lsys_sink_homomorphism(&(LsysSinkContext){grammar, &options, &memory, NULL}, &into->sink);
   bool well = figure && derive_into(grammar, &options, &memory, figure);
   if (figure) figure->destroy(figure);

@@ -45,7 +45,7 @@ static void step_on(LsysScan *scan, uint8_t kind) {
 static bool page_32(LsysScan *scan) {
   LsysCursor at, inside;
   if (*scan->sym != S || scan->left[0].kind != C || scan->left[1].kind != B) return false;
-  if (lsys_right(scan, &at, 0) != G) return false;
+  if (lsys_right(scan, &at) != G) return false;
   do
     if (!lsys_branch(scan, &at, &inside)) return false;
   while (lsys_ahead(scan, &inside) != H);
@@ -69,7 +69,7 @@ static void step_signal(LsysScan *scan, LsysStream *out) {
     if (!grammar_has_room(out, scan->run->grammar)) lsys_flush(out);
     uint8_t kind = *scan->sym;
     if (classes[kind] == LSYS_CLASS_SEEN) scan->ahead_known = 0;
-    *out->sym++ = kind == A && lsys_right(scan, &at, 0) == B ? B : kind;
+    *out->sym++ = kind == A && lsys_right(scan, &at) == B ? B : kind;
     step_on(scan, kind);
   }
 }
@@ -83,7 +83,7 @@ static void step_ring(LsysScan *scan, LsysStream *out) {
     scan->ahead_known = 0;
     bool far = scan->left[0].wrap && scan->left[0].wrap <= scan->passed + 1;
     bool left = !far && scan->left[0].kind == B;
-    *out->sym++ = kind == A && (left || lsys_right(scan, &at, 0) == B) ? B : kind;
+    *out->sym++ = kind == A && (left || lsys_right(scan, &at) == B) ? B : kind;
     step_on(scan, kind);
   }
 }
@@ -113,7 +113,9 @@ static char *derive(void (*step)(LsysScan *, LsysStream *), uint32_t flags, cons
                          .frame_bytes = 64,
                          .init = no_values,
                          .step = step,
-                         .context_class = classes,
+                         .views = &(LsysContextView){classes, flags & LSYS_GRAMMAR_RING},
+                         .view_count = 1,
+                         .system_count = 1,
                          .left_window = 2};
   LsysMemory memory = {.limit = UINT64_MAX / 4};
   LsysDerivation derivation;

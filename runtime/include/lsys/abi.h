@@ -105,12 +105,12 @@ enum {
   LSYS_GRAMMAR_EXPAND = 2,         // context-free: `expand` is there
   LSYS_GRAMMAR_SEQUENTIAL = 4,     // productions write globals: in order, one thread
   LSYS_GRAMMAR_TABLES = 8,         // which productions apply depends on the step's number
-  LSYS_GRAMMAR_HOMOMORPHISM = 16,  // `homomorphism` is there
+  LSYS_GRAMMAR_HOMOMORPHISM = 16,  // `homomorphism` or `interpret` is there
   LSYS_GRAMMAR_WIDE = 32,          // symbols take two bytes
-  LSYS_GRAMMAR_WHOLE = 64,         // the homomorphism has contexts: it takes a whole word, not a part
+  LSYS_GRAMMAR_WHOLE = 64,         // the homomorphism has contexts or several L-systems: it takes a whole word
   LSYS_GRAMMAR_RIGHT = 128,        // something looks ahead: a step needs the index of branches
   LSYS_GRAMMAR_RING = 256,         // first and last module are neighbours
-  LSYS_GRAMMAR_ORDERED = 512,      // pseudo-productions or a cut: a step goes through the word from its beginning
+  LSYS_GRAMMAR_ORDERED = 512,      // pseudo-productions, a cut, sub-L-systems: a step goes through the word in order
 };
 
 // What `~NAME` draws. Meshes are read when the grammar is compiled.
@@ -168,14 +168,18 @@ struct LsysGrammar {
   // The step engine: rewrites the modules from scan->sym to scan->end (see scan.h) and writes what they become to
   // out, with keys. Every grammar of compiled code has it but those without productions.
   void (*step)(LsysScan *scan, LsysStream *out);
-  const uint8_t *context_class;  // LSYS_CLASS_* of each kind
-  uint32_t left_window;          // the most modules that a left context asks for
+  const LsysContextView
+    *views;               // how the L-systems' contexts see a word; step takes a scan of the first, others linked
+  uint32_t view_count;    // 1 or more
+  uint32_t left_window;   // the most modules that a left context asks for
+  uint32_t system_count;  // L-systems, sub-L-systems included
 
   // Runs a block, LSYS_BLOCK_*; Start first resets globals, arrays, table and stopped. NULL: the grammar has no state.
   void (*block)(LsysRun *run, uint32_t which);
 
-  // Grammars with state: decomposes a whole word behind a step, in order. NULL: `step` has done so.
-  void (*decompose)(LsysRun *run, const LsysWord *in, LsysStream *out);
+  // Grammars with state or several L-systems: decomposes a whole word behind a step, in order. NULL: `step` has done
+  // so.
+  void (*decompose)(LsysScan *scan, LsysStream *out);
 
   // The interpreter: derives axiom `which` by `steps` steps and writes the result to out. NULL in compiled grammars.
   void (*derive)(LsysRun *run, uint32_t which, uint64_t steps, LsysStream *out, void *data);
@@ -184,6 +188,9 @@ struct LsysGrammar {
   // Writes what the homomorphism makes of the modules of `in`, in order and without keys, for sinks; `in` has its keys
   // and is a part of a word, or a whole one if LSYS_GRAMMAR_WHOLE. NULL: a word is shown as it is.
   void (*homomorphism)(LsysRun *run, const LsysWord *in, LsysStream *out);
+
+  // The same for LSYS_GRAMMAR_WHOLE in compiled code, in place of `homomorphism`.
+  void (*interpret)(LsysScan *scan, LsysStream *out);
 
   uint32_t surface_count;
   const LsysSurface *surfaces;

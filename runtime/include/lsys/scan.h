@@ -21,8 +21,14 @@ struct LsysRun;
 
 #define LSYS_NO_MODULE UINT32_MAX  // there is no such neighbour
 
-// What a kind is to context matching: LsysGrammar.context_class.
+// What a kind is to context matching: LsysContextView.context_class.
 enum { LSYS_CLASS_SEEN, LSYS_CLASS_IGNORED, LSYS_CLASS_OPEN, LSYS_CLASS_CLOSE };
+
+// How contexts see a word. L-systems that ignore the same symbols share a view.
+typedef struct LsysContextView {
+  const uint8_t *context_class;  // LSYS_CLASS_* of each kind
+  uint64_t ring;                 // 1: first and last module are neighbours
+} LsysContextView;
 
 typedef struct LsysNeighbour {
   uint32_t kind;  // LSYS_NO_MODULE: the path ends before it
@@ -67,8 +73,10 @@ struct LsysScan {
   uint64_t depth;        // open brackets
   uint32_t fresh;        // 1: no seen module yet since the `[` that began this branch
   uint32_t ahead_known;  // 1: `ahead` holds
-  uint32_t passed;       // ring: seen modules of the root's axis before this one; left[j] counts if its wrap is 0 or
-                         //   beyond passed, this one included if it is such a module itself
+  uint32_t passed;       // ring: seen modules of the root's axis up to this one; left[j] counts if its wrap is 0 or
+                         //   beyond passed
+  uint32_t system;       // the L-system around the module (LANGUAGE.md, sub-L-systems)
+  LsysScan *other;       // the same word as the next view sees it; NULL: none
 
   // The run time's own.
   uint32_t window;
@@ -84,19 +92,26 @@ struct LsysScan {
   struct LsysLevel *levels;  // what `[` saved, one per open bracket
   size_t level_room;
   LsysNeighbour *saved;  // window of them per level
+  uint32_t *around;      // the L-systems around `system`, nested of them
+  uint64_t nested;
+  size_t around_room;
 };
 
-// At the beginning of a seen module's rewriting, compiled code sets ahead_known = 0; behind it, it moves the
-// window on and sets fresh = 0.
+// At the beginning of a seen module's rewriting, compiled code sets ahead_known = 0 and, in a ring, counts the module
+// in passed; behind it, it moves the window on and sets fresh = 0.
 //
 // Call for `[` and `]` after writing what they become, with scan->sym at the bracket; they save and restore
 // the context, and do not move scan->sym. A `]` without `[` ends the axis: nothing is to its left.
 void lsys_scan_open(LsysScan *scan);
 void lsys_scan_close(LsysScan *scan);
 
-// A cursor directly behind the module at scan->sym that has `modules` modules (1, or more in a pseudo-production)
-// and `args` arguments.
-void lsys_behind(const LsysScan *scan, LsysCursor *cursor, uint32_t modules, uint32_t args);
+// Call for `?(number)` before it is rewritten, but behind reading scan->system, and for `$` before both: what stands
+// between them belongs to the L-system of that number.
+void lsys_scan_enter(LsysScan *scan, double number);
+void lsys_scan_leave(LsysScan *scan);
+
+// A cursor directly behind the modules that start at scan->sym: 1, or more in a pseudo-production.
+void lsys_behind(const LsysScan *scan, LsysCursor *cursor, uint32_t modules);
 
 // The kind of the next seen module on the axis, whose arguments are cursor->found; the cursor moves behind it.
 // LSYS_NO_MODULE at the end of the branch, of the axis or of the word; the cursor then stands there.
@@ -104,7 +119,7 @@ uint32_t lsys_ahead(const LsysScan *scan, LsysCursor *cursor);
 
 // lsys_behind and lsys_ahead in one for a single strict predecessor, at a cost that does not depend on what lies
 // between.
-uint32_t lsys_right(LsysScan *scan, LsysCursor *cursor, uint32_t args);
+uint32_t lsys_right(LsysScan *scan, LsysCursor *cursor);
 
 // Is there a branch at this place, before the next seen module? If so, `inside` stands behind its `[` and
 // cursor behind its `]`.
