@@ -14,6 +14,7 @@ static const struct {
   {"words", bench_words, "words in memory beside C written for the grammar, and memcpy of the same bytes"},
   {"outputs", bench_outputs, "text, hash, SVG and PNG of big words"},
   {"sweep", bench_sweep, "cost per module and memory as a streamed word grows"},
+  {"threads", bench_threads, "one thread and two, beside plain arithmetic on as many"},
   {"start", bench_start, "start-up, compile times, time to the first module"},
 };
 enum { GROUPS = sizeof groups / sizeof *groups };
