@@ -42,6 +42,11 @@ static bool start(Parser *parser, const Statement *s, Piece pieces[MOST_PIECES])
     diag_hint(parser->diag, "a production is a statement of its own and begins with its predecessor");
     return false;
   }
+  if (production && s->first.keyword && s->first.keyword->token == TOK_TABLE && s->colons[0]) {
+    diag_error(parser->diag, statement_span(s, s->colons[0] + 1, s->end),
+               "unexpected production; it stands on a line of its own behind `table NAME:`");
+    return false;
+  }
   size_t count = statement_pieces(s, parser->declared, pieces);
   scanner_start(parser->scanner, pieces, count, end_of(s));
   return true;

@@ -225,6 +225,7 @@ static void test_guesses(void **state) {
   refuses("p1: F FF", "this production has no arrow");
   refuses("#defin X 3", "unknown directive `#defin`; did you mean `#define`?");
   refuses("A -> @vv@Gx", "unknown symbol `@Gx`");
+  refuses("table A: F -> FF", "it stands on a line of its own behind `table NAME:`");
   refuses("decomposition: warn", "unknown option `warn`; expected `warnings` or `no warnings`");
 }
 
