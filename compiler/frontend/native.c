@@ -16,8 +16,8 @@ const Notation notation_cpfg = {.macros = true,
                                 .left_power = true,
                                 .angle_unequal = true,
                                 .characters = true,
-                                .references = true,
-                                .any_action = true};
+
+                                .references = true};
 
 // The names of #modules, module and surface statements become symbols.
 static void declare(Parser *parser, Statement *s) {

@@ -17,7 +17,6 @@ typedef struct Notation {
   bool angle_unequal;  // `<>` is `!=`
   bool characters;     // symbols are characters: `@x` whatever x is, and in `ignore:` each by itself
   bool references;     // `&x` as an argument
-  bool any_action;     // an action may be an expression of any kind
 } Notation;
 
 extern const Notation notation_native, notation_cpfg;

@@ -76,10 +76,7 @@ AstActions build_assignment(Parser *parser, Span span, AstExpr *target, AstExpr 
   return one(parser, (AstAction){.kind = AST_ASSIGN, .span = span, .target = target, .value = value});
 }
 
-// cpfg evaluates any expression for its effect; here only a call can have one.
 AstActions build_evaluation(Parser *parser, Span span, AstExpr *value) {
-  if (!parser->notation->any_action && value->kind != AST_CALL && value->kind != AST_POISON)
-    diag_error(parser->diag, value->span, "this action has no effect; an assignment is written `name = value;`");
   return one(parser, (AstAction){.kind = AST_EVALUATE, .span = span, .value = value});
 }
 
