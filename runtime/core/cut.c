@@ -11,7 +11,8 @@ enum {
   STRETCH = 3 << 14,       // weight of a stretch: less than what a task may be ahead (parallel.c)
   MOST_STEPS = 1 << 16,    // beyond, words are chains, and sampling takes longer than deriving
   REFERENCE_DIVISOR = 16,  // a module of a block costs its reader this much less than one that was written
-  MOST_WEIGHT = 1 << 21,   // of a sample
+  MOSTLY = 16,
+  MOST_WEIGHT = 1 << 21,  // of a sample
 };
 
 // ---- words -------------------------------------------------------------------
@@ -52,7 +53,9 @@ typedef struct Sampler {
   LsysSink sink;
   LsysWriter writer;
   LsysStore sample;
-  double weight;  // of what the sample became
+  double weight;               // of what the sample became
+  double written, referenced;  // modules of it
+  bool shared;                 // the sink's work is shared
 } Sampler;
 
 static Sampler *sampler_of(LsysSink *sink) {
@@ -70,8 +73,11 @@ static bool take_sample(LsysSink *sink, const LsysWord *part) {
 
 static bool take_weight(LsysSink *sink, const LsysWord *part) {
   Sampler *sampler = sampler_of(sink);
-  bool written = part->sym == sampler->writer.sym;
-  sampler->weight += (double)part->nsym / (written ? 1 : REFERENCE_DIVISOR);
+  if (part->sym == sampler->writer.sym)
+    sampler->written += (double)part->nsym;
+  else
+    sampler->referenced += (double)part->nsym;
+  sampler->weight = sampler->written + sampler->referenced / (sampler->shared ? 1 : REFERENCE_DIVISOR);
   return sampler->weight < MOST_WEIGHT;
 }
 
@@ -90,7 +96,7 @@ static double weigh(Sampler *sampler, const LsysWord *word, uint64_t steps, uint
   lsys_store_clear(&sampler->sample);
   derive(sampler, word, steps - last, take_sample);
   sampler->worker.run.steps = steps;
-  sampler->weight = 0;
+  sampler->weight = sampler->written = sampler->referenced = 0;
   LsysWord sample = lsys_store_word(&sampler->sample);
   derive(sampler, &sample, last, take_weight);
   return sample.nsym ? sampler->weight / (double)sample.nsym : 0;
@@ -100,13 +106,14 @@ static uint64_t search(Sampler *sampler, const LsysWord *word, uint64_t steps, u
   for (uint64_t last = 1; last < steps; last += last < 16 ? 1 : last) {
     double weight = weigh(sampler, word, steps, last);
     if (weight < WORTH) continue;
+    if (!sampler->shared && sampler->referenced > MOSTLY * sampler->written) break;
     *modules = weight < STRETCH ? (uint64_t)(STRETCH / weight) : 1;
     return last;
   }
   return steps;
 }
 
-uint64_t lsys_cut_choose(const LsysWorker *worker, const LsysWord *word, uint64_t *modules) {
+uint64_t lsys_cut_choose(const LsysWorker *worker, const LsysWord *word, bool shared, uint64_t *modules) {
   uint64_t steps = worker->run.steps;
   *modules = UINT64_MAX;
   if (steps > MOST_STEPS || !word->nsym) return steps;
@@ -115,6 +122,7 @@ uint64_t lsys_cut_choose(const LsysWorker *worker, const LsysWord *word, uint64_
   if (!sampler) return 0;
   sampler->worker.run = worker->run;
   sampler->worker.memory = memory;
+  sampler->shared = shared;
   sampler->worker.stack_limit = worker->stack_limit;
   sampler->worker.stack_bytes = worker->stack_bytes;
   lsys_store_open(&sampler->sample, worker->run.grammar, memory);

@@ -17,8 +17,10 @@ LsysWord lsys_cut_take(LsysCut *cut, uint64_t modules);
 
 // How many of the worker's steps are the last ones, that threads derive stretch by
 // stretch, and how many modules of the word before them make a stretch. All of
-// the steps: threads would not help, or there is no telling. Derives samples.
+// the steps: threads would not help, or there is no telling. Words that consist of
+// blocks cost nothing to derive: for them threads help only a sink that shares its
+// work. Derives samples.
 // Returns 0 after printing that there is no memory.
-uint64_t lsys_cut_choose(const LsysWorker *worker, const LsysWord *word, uint64_t *modules);
+uint64_t lsys_cut_choose(const LsysWorker *worker, const LsysWord *word, bool shared, uint64_t *modules);
 
 #endif

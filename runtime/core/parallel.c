@@ -6,8 +6,8 @@
 //
 //   head (consumed here) | running | running | ready | ready | <- new ones
 //
-// Workers write pieces (chunks, or references to blocks) into their task; this
-// thread hands the head's pieces to the sink. A worker whose task is not the
+// Workers write pieces (chunks, references to blocks, or what the sink prepared
+// of either) into their task; this thread hands the head's pieces to the sink. A worker whose task is not the
 // head waits once it is a few pieces ahead: that bounds the memory. When the
 // ring is full and its head has no worker yet, this thread derives it itself.
 // Keys are functions of their place (LANGUAGE.md 5.8), so who derives what
@@ -37,9 +37,16 @@ typedef struct Chunk {
   uint64_t *key;
 } Chunk;
 
+// Memory that a sink prepares a part in.
+typedef struct Draft {
+  struct Draft *next;  // in the list of free ones
+  LsysPrepared prepared;
+} Draft;
+
 typedef struct Piece {
   LsysWord word;
-  Chunk *chunk;  // NULL: a reference to a block
+  Chunk *chunk;  // that the word is in; NULL: a reference to a block
+  Draft *draft;  // instead of the word
 } Piece;
 
 typedef struct Task {
@@ -56,6 +63,8 @@ typedef struct Helper {
   LsysThread thread;
   LsysWriter writer;
   Task *task;
+  void *scratch;  // what the sink keeps for preparing
+  size_t scratch_bytes;
   bool started;
 } Helper;
 
@@ -72,7 +81,7 @@ struct LsysParallel {
   Helper *helpers;
   bool running;          // the helpers are started
   uint64_t retired;      // tasks that the sink has
-  Chunk *held;           // what the sink reads now
+  Piece held;            // what the sink reads now
   pthread_mutex_t lock;  // guards what follows, and the tasks from READY on
   pthread_cond_t changed;
   bool quit;
@@ -81,6 +90,7 @@ struct LsysParallel {
   Task *ring;
   unsigned ring_size;
   Chunk *free_chunks;
+  Draft *free_drafts;
 };
 
 // ---- chunks ------------------------------------------------------------------
@@ -123,23 +133,72 @@ static Chunk *exchange_chunk(LsysParallel *p, LsysWriter *writer) {
 
 // ---- helpers -----------------------------------------------------------------
 
-// Enters a part that a helper derived into its task; waits while the task is far enough ahead.
+static bool is_ahead(const Task *task) {
+  return task->count == MOST_PIECES || task->chunks == MOST_CHUNKS;
+}
+
+// Called with the lock held.
+static void enter(LsysParallel *p, Task *task, Piece piece) {
+  task->piece[(task->first + task->count++) % MOST_PIECES] = piece;
+  pthread_cond_broadcast(&p->changed);
+}
+
+// Waits while the task is far enough ahead; false when all is over. Called with the lock held.
+static bool wait_for_room(LsysParallel *p, const Task *task) {
+  while (!p->quit && is_ahead(task)) pthread_cond_wait(&p->changed, &p->lock);
+  return !p->quit;
+}
+
+// Enters a part that a helper derived into its task.
 static bool take_piece(LsysSink *sink, const LsysWord *part) {
   Helper *helper = (Helper *)((char *)sink - offsetof(Helper, sink));
   LsysParallel *p = helper->parallel;
   Task *task = helper->task;
   bool is_chunk = part->sym == helper->writer.sym;
   pthread_mutex_lock(&p->lock);
-  while (!p->quit && (task->count == MOST_PIECES || task->chunks == MOST_CHUNKS))
-    pthread_cond_wait(&p->changed, &p->lock);
-  bool well = !p->quit;
+  bool well = wait_for_room(p, task);
   Chunk *chunk = well && is_chunk ? exchange_chunk(p, &helper->writer) : NULL;
   if (is_chunk && !chunk) well = false;
-  if (well) {
-    task->piece[(task->first + task->count++) % MOST_PIECES] = (Piece){*part, chunk};
-    task->chunks += is_chunk;
-    pthread_cond_broadcast(&p->changed);
-  }
+  task->chunks += is_chunk && well;
+  if (well) enter(p, task, (Piece){.word = *part, .chunk = chunk});
+  pthread_mutex_unlock(&p->lock);
+  return well;
+}
+
+static Draft *new_draft(LsysParallel *p) {
+  Draft *draft = p->free_drafts;
+  if (draft)
+    p->free_drafts = draft->next;
+  else if ((draft = lsys_memory_alloc(p->worker->memory, 1, sizeof *draft)))
+    draft->prepared.memory = p->worker->memory;
+  return draft;
+}
+
+// Lets the sink prepare the part. The scratch goes along with the thread, not with the draft.
+static bool prepare(Helper *helper, const LsysWord *part, LsysPrepared *prepared) {
+  const LsysSink *sink = helper->parallel->sink;
+  prepared->used = 0;
+  prepared->scratch = helper->scratch;
+  prepared->scratch_bytes = helper->scratch_bytes;
+  bool well = sink->prepare(sink, part, prepared);
+  helper->scratch = prepared->scratch;
+  helper->scratch_bytes = prepared->scratch_bytes;
+  return well;
+}
+
+// The same for a sink that shares its work.
+static bool take_prepared(LsysSink *sink, const LsysWord *part) {
+  Helper *helper = (Helper *)((char *)sink - offsetof(Helper, sink));
+  LsysParallel *p = helper->parallel;
+  Task *task = helper->task;
+  pthread_mutex_lock(&p->lock);
+  Draft *draft = wait_for_room(p, task) ? new_draft(p) : NULL;
+  task->chunks += draft != NULL;
+  pthread_mutex_unlock(&p->lock);
+  if (!draft) return false;
+  bool well = prepare(helper, part, &draft->prepared);
+  pthread_mutex_lock(&p->lock);
+  enter(p, task, (Piece){.draft = draft});
   pthread_mutex_unlock(&p->lock);
   return well;
 }
@@ -188,7 +247,7 @@ static bool start_helpers(LsysParallel *p) {
     helper->worker.run = p->worker->run;
     helper->worker.memory = p->worker->memory;
     helper->parallel = p;
-    helper->sink = (LsysSink){.passes = 1, .take = take_piece};
+    helper->sink = (LsysSink){.passes = 1, .take = p->sink->prepare ? take_prepared : take_piece};
     if (!lsys_writer_open(&helper->writer, &helper->worker, &helper->sink)) return false;
     helper->started = lsys_thread_start(&helper->thread, &helper->worker, help, helper);
     if (!helper->started) return false;
@@ -217,16 +276,30 @@ static bool next_piece(LsysParallel *p, Piece *piece) {
   return some;
 }
 
+// The memory of what the sink has read goes back to the helpers.
 static void give_back(LsysParallel *p) {
   pthread_mutex_lock(&p->lock);
-  if (p->held) {
-    p->held->next = p->free_chunks;
-    p->free_chunks = p->held;
+  if (p->held.chunk) {
+    p->held.chunk->next = p->free_chunks;
+    p->free_chunks = p->held.chunk;
     head(p)->chunks--;
   }
-  p->held = NULL;
+  if (p->held.draft) {
+    p->held.draft->next = p->free_drafts;
+    p->free_drafts = p->held.draft;
+    head(p)->chunks--;
+  }
+  p->held = (Piece){0};
   pthread_cond_broadcast(&p->changed);
   pthread_mutex_unlock(&p->lock);
+}
+
+static bool consume(LsysParallel *p, const Piece *piece) {
+  LsysSink *sink = p->sink;
+  p->held = *piece;
+  if (!(piece->draft ? sink->accept(sink, &piece->draft->prepared) : sink->take(sink, &piece->word))) return false;
+  give_back(p);
+  return true;
 }
 
 // Hands the head's word to the sink and takes the task out of the ring.
@@ -238,11 +311,8 @@ static bool retire(LsysParallel *p) {
   pthread_mutex_unlock(&p->lock);
   if (mine) expand(&p->writer, &task->frontier, p->last_steps);
   Piece piece;
-  while (!mine && next_piece(p, &piece)) {
-    p->held = piece.chunk;
-    if (!p->sink->take(p->sink, &piece.word)) return false;
-    give_back(p);
-  }
+  while (!mine && next_piece(p, &piece))
+    if (!consume(p, &piece)) return false;
   if (task->state == FAILED) return false;
   p->retired++;
   return true;
@@ -306,13 +376,35 @@ bool lsys_parallel_run(LsysParallel **place, LsysWorker *worker, const LsysWord 
   p->worker = worker;
   pthread_mutex_init(&p->lock, NULL);
   pthread_cond_init(&p->changed, NULL);
-  p->last_steps = lsys_cut_choose(worker, word, &p->modules_a_task);
+  p->last_steps = lsys_cut_choose(worker, word, sink->prepare != NULL, &p->modules_a_task);
   if (!p->last_steps || !open(p, worker, sink, threads)) return false;
   if (setjmp(p->frontier.stop)) return false;
   LsysStream *out = &p->frontier_writer.stream;
   worker->run.grammar->expand(out, word, p->frontier.run.steps);
   lsys_flush(out);
   return finish(p);
+}
+
+static void free_draft(LsysParallel *p, Draft *draft) {
+  lsys_memory_free(p->worker->memory, draft->prepared.data, draft->prepared.room, 1);
+  lsys_memory_free(p->worker->memory, draft, 1, sizeof *draft);
+}
+
+static void free_piece(LsysParallel *p, const Piece *piece) {
+  if (piece->chunk) free_chunk(p, piece->chunk);
+  if (piece->draft) free_draft(p, piece->draft);
+}
+
+static void close_helper(Helper *helper) {
+  if (helper->started) lsys_thread_join(&helper->thread);
+  if (!helper->writer.stream.run) return;
+  lsys_memory_free(helper->worker.memory, helper->scratch, 1, helper->scratch_bytes);
+  lsys_writer_close(&helper->writer);
+}
+
+static void close_task(LsysParallel *p, Task *task) {
+  for (unsigned i = 0; i < task->count; i++) free_piece(p, &task->piece[(task->first + i) % MOST_PIECES]);
+  if (task->frontier.memory) lsys_store_close(&task->frontier);
 }
 
 void lsys_parallel_close(LsysParallel *p) {
@@ -322,26 +414,22 @@ void lsys_parallel_close(LsysParallel *p) {
   p->quit = true;
   pthread_cond_broadcast(&p->changed);
   pthread_mutex_unlock(&p->lock);
-  for (unsigned i = 0; p->helpers && i < p->helper_count; i++) {
-    if (p->helpers[i].started) lsys_thread_join(&p->helpers[i].thread);
-    if (p->helpers[i].writer.stream.run) lsys_writer_close(&p->helpers[i].writer);
-  }
-  for (unsigned i = 0; p->ring && i < p->ring_size; i++) {
-    Task *task = &p->ring[i];
-    for (unsigned j = 0; j < task->count; j++) {
-      Chunk *chunk = task->piece[(task->first + j) % MOST_PIECES].chunk;
-      if (chunk) free_chunk(p, chunk);
-    }
-    if (task->frontier.memory) lsys_store_close(&task->frontier);
-  }
-  if (p->held) free_chunk(p, p->held);
+  for (unsigned i = 0; p->helpers && i < p->helper_count; i++) close_helper(&p->helpers[i]);
+  for (unsigned i = 0; p->ring && i < p->ring_size; i++) close_task(p, &p->ring[i]);
+  free_piece(p, &p->held);
   for (Chunk *chunk = p->free_chunks, *next; chunk; chunk = next) {
     next = chunk->next;
     free_chunk(p, chunk);
+  }
+  for (Draft *draft = p->free_drafts, *next; draft; draft = next) {
+    next = draft->next;
+    free_draft(p, draft);
   }
   lsys_memory_free(memory, p->helpers, p->helper_count, sizeof *p->helpers);
   lsys_memory_free(memory, p->ring, p->ring_size, sizeof *p->ring);
   if (p->writer.stream.run) lsys_writer_close(&p->writer);
   if (p->frontier_writer.stream.run) lsys_writer_close(&p->frontier_writer);
+  pthread_cond_destroy(&p->changed);
+  pthread_mutex_destroy(&p->lock);
   lsys_memory_free(memory, p, 1, sizeof *p);
 }

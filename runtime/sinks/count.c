@@ -37,18 +37,41 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   return true;
 }
 
-static bool take(LsysSink *sink, const LsysWord *part) {
-  CountSink *count = (CountSink *)sink;
-  size_t kinds = count->grammar->kind_count;
+// counts has LANES tables.
+static void add(const LsysGrammar *grammar, const LsysWord *part, uint64_t *counts) {
+  size_t kinds = grammar->kind_count;
   uint64_t *lane[LANES], i = 0;
-  for (int l = 0; l < LANES; l++) lane[l] = count->counts + (size_t)l * kinds;
-  if (lsys_symbol_width(count->grammar) == 2) {
+  for (int l = 0; l < LANES; l++) lane[l] = counts + (size_t)l * kinds;
+  if (lsys_symbol_width(grammar) == 2) {
     for (; i < part->nsym; i++) lane[0][part->sym[2 * i] | part->sym[2 * i + 1] << 8]++;
-    return true;
+    return;
   }
   for (; i + LANES <= part->nsym; i += LANES)
     for (int l = 0; l < LANES; l++) lane[l][part->sym[i + l]]++;
   for (; i < part->nsym; i++) lane[0][part->sym[i]]++;
+}
+
+static bool take(LsysSink *sink, const LsysWord *part) {
+  CountSink *count = (CountSink *)sink;
+  add(count->grammar, part, count->counts);
+  return true;
+}
+
+static bool prepare(const LsysSink *sink, const LsysWord *part, LsysPrepared *prepared) {
+  const LsysGrammar *grammar = ((const CountSink *)sink)->grammar;
+  size_t size = (size_t)LANES * grammar->kind_count * sizeof(uint64_t);
+  char *counts = lsys_prepared_room(prepared, size);
+  if (!counts) return false;
+  memset(counts, 0, size);
+  add(grammar, part, (uint64_t *)counts);
+  prepared->used += size;
+  return true;
+}
+
+static bool accept(LsysSink *sink, const LsysPrepared *prepared) {
+  CountSink *count = (CountSink *)sink;
+  const uint64_t *counts = (const uint64_t *)prepared->data;
+  for (size_t i = 0; i < prepared->used / sizeof *counts; i++) count->counts[i] += counts[i];
   return true;
 }
 
@@ -85,7 +108,14 @@ LsysSink *lsys_sink_count(const LsysSinkContext *context) {
   size_t kinds = context->grammar->kind_count;
   CountSink *count = lsys_memory_alloc(context->memory, 1, sizeof *count + LANES * kinds * sizeof *count->counts);
   if (!count) return NULL;
-  count->sink = (LsysSink){1, begin, take, end, finish, destroy};
+  count->sink = (LsysSink){.passes = 1,
+                           .begin = begin,
+                           .take = take,
+                           .end = end,
+                           .finish = finish,
+                           .destroy = destroy,
+                           .prepare = prepare,
+                           .accept = accept};
   count->grammar = context->grammar;
   count->memory = context->memory;
   count->out = context->out;

@@ -125,7 +125,7 @@ LsysSink *lsys_sink_hash(const LsysSinkContext *context) {
   HashSink *hash = lsys_memory_alloc(context->memory, 1, sizeof *hash);
   if (!hash) return NULL;
   const LsysGrammar *grammar = context->grammar;
-  hash->sink = (LsysSink){1, begin, take, end, finish, destroy};
+  hash->sink = (LsysSink){.passes = 1, .begin = begin, .take = take, .end = end, .finish = finish, .destroy = destroy};
   hash->grammar = grammar;
   hash->memory = context->memory;
   hash->out = context->out;

@@ -78,7 +78,8 @@ LsysSink *lsys_sink_homomorphism(const LsysSinkContext *context, LsysSink *inner
     inner->destroy(inner);
     return NULL;
   }
-  filter->sink = (LsysSink){inner->passes, begin, take, end, finish, destroy};
+  filter->sink =
+    (LsysSink){.passes = inner->passes, .begin = begin, .take = take, .end = end, .finish = finish, .destroy = destroy};
   filter->inner = inner;
   filter->memory = context->memory;
   filter->whole = context->grammar->flags & LSYS_GRAMMAR_WHOLE;

@@ -119,7 +119,7 @@ LsysSink *lsys_sink_json(const LsysSinkContext *context) {
     lsys_error("out of memory");
     return NULL;
   }
-  j->sink = (LsysSink){1, begin, take, end, finish, destroy};
+  j->sink = (LsysSink){.passes = 1, .begin = begin, .take = take, .end = end, .finish = finish, .destroy = destroy};
   j->geometry = (LsysGeometry){.strokes = strokes, .polygon = polygon};
   j->out = context->out;
   return &j->sink;

@@ -114,7 +114,7 @@ LsysSink *lsys_model_create(LsysModel *model, const LsysModelOptions *options) {
     model->destroy(model);
     return NULL;
   }
-  m->sink = (LsysSink){2, begin, take, end, finish, destroy};
+  m->sink = (LsysSink){.passes = 2, .begin = begin, .take = take, .end = end, .finish = finish, .destroy = destroy};
   m->model = model;
   m->options = *options;
   return &m->sink;

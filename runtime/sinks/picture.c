@@ -294,7 +294,12 @@ LsysSink *lsys_picture_create(LsysCanvas *canvas, const LsysPictureOptions *opti
     lsys_error("out of memory");
     return NULL;
   }
-  p->sink = (LsysSink){options->perspective ? 3 : 2, begin, take, end, finish, destroy};
+  p->sink = (LsysSink){.passes = options->perspective ? 3 : 2,
+                       .begin = begin,
+                       .take = take,
+                       .end = end,
+                       .finish = finish,
+                       .destroy = destroy};
   p->geometry = (LsysGeometry){strokes, polygon, mesh, ball, label};
   p->options = *options;
   p->canvas = canvas;

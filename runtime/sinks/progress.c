@@ -100,7 +100,8 @@ static void destroy(LsysSink *sink) {
 LsysSink *lsys_sink_progress(const LsysSinkContext *context) {
   ProgressSink *progress = lsys_memory_alloc(context->memory, 1, sizeof *progress);
   if (!progress) return NULL;
-  progress->sink = (LsysSink){1, begin, take, end, finish, destroy};
+  progress->sink =
+    (LsysSink){.passes = 1, .begin = begin, .take = take, .end = end, .finish = finish, .destroy = destroy};
   progress->memory = context->memory;
   return &progress->sink;
 }

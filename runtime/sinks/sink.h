@@ -11,8 +11,22 @@
 #include "lsys/abi.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 
 typedef struct LsysSink LsysSink;
+
+// What `prepare` makes of a part, in memory of the driver's: data of any layout,
+// and what the sink wants to keep from part to part on one thread. Reused.
+typedef struct LsysPrepared {
+  struct LsysMemory *memory;
+  char *data;
+  size_t used, room;
+  void *scratch;  // booked, of scratch_bytes bytes; NULL at first
+  size_t scratch_bytes;
+} LsysPrepared;
+
+// Room for size more bytes behind what is used; NULL after printing why not.
+char *lsys_prepared_room(LsysPrepared *prepared, size_t size);
 
 struct LsysSink {
   unsigned passes;  // 1 or 2
@@ -21,6 +35,11 @@ struct LsysSink {
   bool (*end)(LsysSink *sink);
   bool (*finish)(LsysSink *sink);  // after the last start word: writes what is left
   void (*destroy)(LsysSink *sink);
+
+  // Both or neither: what take does, split into what other threads may do with a part alone, in any order (the sink is
+  // only read), and what has to be done in the word's order.
+  bool (*prepare)(const LsysSink *sink, const LsysWord *part, LsysPrepared *prepared);
+  bool (*accept)(LsysSink *sink, const LsysPrepared *prepared);
 };
 
 #endif

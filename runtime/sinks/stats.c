@@ -114,7 +114,7 @@ static void destroy(LsysSink *sink) {
 LsysSink *lsys_sink_stats(const LsysSinkContext *context) {
   StatsSink *stats = lsys_memory_alloc(context->memory, 1, sizeof *stats);
   if (!stats) return NULL;
-  stats->sink = (LsysSink){1, begin, take, end, finish, destroy};
+  stats->sink = (LsysSink){.passes = 1, .begin = begin, .take = take, .end = end, .finish = finish, .destroy = destroy};
   stats->memory = context->memory;
   stats->out = context->out;
   return &stats->sink;

@@ -35,7 +35,10 @@ static void destroy(LsysSink *sink) {
 }
 
 void lsys_tee_init(LsysTee *tee, LsysSink **sinks, size_t count) {
-  *tee = (LsysTee){.sink = {1, begin, take, end, finish, destroy}, .sinks = sinks, .count = count};
+  *tee =
+    (LsysTee){.sink = {.passes = 1, .begin = begin, .take = take, .end = end, .finish = finish, .destroy = destroy},
+              .sinks = sinks,
+              .count = count};
   for (size_t i = 0; i < count; i++)
     if (sinks[i]->passes > tee->sink.passes) tee->sink.passes = sinks[i]->passes;
 }

@@ -56,10 +56,10 @@ typedef struct TextSink {
 
 // ---- one module --------------------------------------------------------------
 
-static char *put_number(const TextSink *text, char *to, double x) {
+static char *put_number(Printed *cache, char *to, double x) {
   uint64_t bits;
   memcpy(&bits, &x, sizeof bits);
-  Printed *printed = &text->printed[(bits * LSYS_GOLDEN) >> (64 - CACHE_BITS)];
+  Printed *printed = &cache[(bits * LSYS_GOLDEN) >> (64 - CACHE_BITS)];
   if (printed->bits != bits || !printed->length) {
     char number[LSYS_NUMBER_SIZE];
     printed->length = (uint64_t)(lsys_number_print(number, x) - number);
@@ -71,7 +71,7 @@ static char *put_number(const TextSink *text, char *to, double x) {
 }
 
 // Writes one module; to has room for spelling->most bytes.
-static char *put_module(const TextSink *text, char *to, const LsysSpelling *spelling, const double *arg) {
+static char *put_module(Printed *cache, char *to, const LsysSpelling *spelling, const double *arg) {
   if (spelling->length <= LSYS_SHORT_SYMBOL)
     memcpy(to, spelling->padded, LSYS_SHORT_SYMBOL);
   else
@@ -81,7 +81,7 @@ static char *put_module(const TextSink *text, char *to, const LsysSpelling *spel
   *to++ = '(';
   for (unsigned i = 0; i < spelling->arity; i++) {
     if (i) *to++ = ',';
-    to = put_number(text, to, arg[i]);
+    to = put_number(cache, to, arg[i]);
   }
   *to++ = ')';
   return to;
@@ -108,33 +108,48 @@ static bool write_pairs(TextSink *text, const LsysWord *part) {
   return lsys_out_write(text->out, "", 0);
 }
 
+// Modules of a part from the i-th on.
+typedef struct Rest {
+  const LsysWord *part;
+  uint64_t i;
+  const double *arg;
+} Rest;
+
+// Writes modules until PIECE bytes are passed, none is left, or the next one is longer than that; to has room for
+// twice as many.
+static char *put_piece(const TextSink *text, Printed *cache, char *to, Rest *rest) {
+  const char *enough = to + PIECE;
+  while (rest->i < rest->part->nsym && to < enough) {
+    const LsysSpelling *spelling = &text->spelling[kind_at(text, rest->part, rest->i)];
+    if (spelling->most > PIECE) break;
+    to = put_module(cache, to, spelling, rest->arg);
+    rest->arg += spelling->arity;
+    rest->i++;
+  }
+  return to;
+}
+
 // A module that does not fit into a piece.
 static bool write_long(TextSink *text, const LsysSpelling *spelling, const double *arg) {
   char *buffer = lsys_memory_alloc(text->memory, spelling->most, 1);
   if (!buffer) return false;
-  char *end = put_module(text, buffer, spelling, arg);
+  char *end = put_module(text->printed, buffer, spelling, arg);
   bool well = lsys_out_write(text->out, buffer, (size_t)(end - buffer));
   lsys_memory_free(text->memory, buffer, spelling->most, 1);
   return well;
 }
 
 static bool write_plain(TextSink *text, const LsysWord *part) {
-  const double *arg = part->arg;
-  for (uint64_t i = 0; i < part->nsym;) {
-    char *room = lsys_out_room(text->out, 2 * PIECE), *to = room;
-    const LsysSpelling *spelling = NULL;
-    while (i < part->nsym && to < room + PIECE) {
-      spelling = &text->spelling[kind_at(text, part, i)];
-      if (spelling->most > PIECE) break;
-      to = put_module(text, to, spelling, arg);
-      arg += spelling->arity;
-      i++;
-    }
-    lsys_out_filled(text->out, (size_t)(to - room));
-    if (spelling->most <= PIECE) continue;
-    if (!write_long(text, spelling, arg)) return false;
-    arg += spelling->arity;
-    i++;
+  Rest rest = {.part = part, .arg = part->arg};
+  while (rest.i < part->nsym) {
+    char *room = lsys_out_room(text->out, 2 * PIECE);
+    lsys_out_filled(text->out, (size_t)(put_piece(text, text->printed, room, &rest) - room));
+    if (rest.i == part->nsym) break;
+    const LsysSpelling *next = &text->spelling[kind_at(text, part, rest.i)];
+    if (next->most <= PIECE) continue;
+    if (!write_long(text, next, rest.arg)) return false;
+    rest.arg += next->arity;
+    rest.i++;
   }
   return lsys_out_write(text->out, "", 0);
 }
@@ -176,12 +191,61 @@ static bool write_careful(TextSink *text, const LsysWord *part) {
     const LsysSpelling *spelling = &text->spelling[kind];
     bool full = window->count == window->most || window->size - window->used < spelling->most;
     if (full && !write_window(text, false)) return false;
-    char *end = put_module(text, window->text + window->used, spelling, arg);
+    char *end = put_module(text->printed, window->text + window->used, spelling, arg);
     arg += spelling->arity;
     window->used = (size_t)(end - window->text);
     window->placed[window->count++] = (Placed){kind, (uint32_t)window->used};
   }
   return true;
+}
+
+// ---- on other threads --------------------------------------------------------
+
+// Prepared text begins with what end needs to know of the part.
+typedef struct Summary {
+  uint64_t modules;
+  uint32_t last;
+} Summary;
+
+static bool prepare_modules(const TextSink *text, const LsysWord *part, LsysPrepared *prepared) {
+  Rest rest = {.part = part, .arg = part->arg};
+  if (text->printed && !prepared->scratch) {
+    prepared->scratch_bytes = sizeof(Printed) << CACHE_BITS;
+    prepared->scratch = lsys_memory_alloc(prepared->memory, 1, prepared->scratch_bytes);
+    if (!prepared->scratch) return false;
+  }
+  while (rest.i < part->nsym) {
+    const LsysSpelling *next = &text->spelling[kind_at(text, part, rest.i)];
+    char *room = lsys_prepared_room(prepared, next->most > PIECE ? next->most : 2 * PIECE);
+    if (!room) return false;
+    if (next->most > PIECE) {
+      prepared->used += (size_t)(put_module(prepared->scratch, room, next, rest.arg) - room);
+      rest.arg += next->arity;
+      rest.i++;
+    } else {
+      prepared->used += (size_t)(put_piece(text, prepared->scratch, room, &rest) - room);
+    }
+  }
+  return true;
+}
+
+static bool prepare(const LsysSink *sink, const LsysWord *part, LsysPrepared *prepared) {
+  const TextSink *text = (const TextSink *)sink;
+  Summary summary = {part->nsym, part->nsym ? kind_at(text, part, part->nsym - 1) : 0};
+  char *room = lsys_prepared_room(prepared, sizeof summary);
+  if (!room) return false;
+  memcpy(room, &summary, sizeof summary);
+  prepared->used += sizeof summary;
+  return prepare_modules(text, part, prepared);
+}
+
+static bool accept(LsysSink *sink, const LsysPrepared *prepared) {
+  TextSink *text = (TextSink *)sink;
+  Summary summary;
+  memcpy(&summary, prepared->data, sizeof summary);
+  text->modules += summary.modules;
+  if (summary.modules) text->last = summary.last;
+  return lsys_out_write(text->out, prepared->data + sizeof summary, prepared->used - sizeof summary);
 }
 
 // ---- the sink ----------------------------------------------------------------
@@ -276,13 +340,18 @@ static bool open_tables(TextSink *text) {
 LsysSink *lsys_sink_text(const LsysSinkContext *context) {
   TextSink *text = lsys_memory_alloc(context->memory, 1, sizeof *text);
   if (!text) return NULL;
-  text->sink = (LsysSink){1, begin, take, end, finish, destroy};
+  text->sink = (LsysSink){.passes = 1, .begin = begin, .take = take, .end = end, .finish = finish, .destroy = destroy};
   text->memory = context->memory;
   text->out = context->out;
   text->kind_count = context->grammar->kind_count;
   text->width = lsys_symbol_width(context->grammar);
   text->spelling = lsys_spelling_create(context->grammar, context->memory);
-  if (text->spelling && open_tables(text)) return &text->sink;
+  bool well = text->spelling && open_tables(text);
+  if (!text->careful && !text->pair) {  // pairs are written as fast as they would be handed over
+    text->sink.prepare = prepare;
+    text->sink.accept = accept;
+  }
+  if (well) return &text->sink;
   destroy(&text->sink);
   return NULL;
 }

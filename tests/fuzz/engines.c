@@ -54,7 +54,8 @@ static void destroy(LsysSink *sink) {
 }
 
 static Collector collector(Arena *arena) {
-  return (Collector){.sink = {1, begin, take, end, end, destroy}, .arena = arena};
+  return (Collector){.sink = {.passes = 1, .begin = begin, .take = take, .end = end, .finish = end, .destroy = destroy},
+                     .arena = arena};
 }
 
 static bool derive_into(const LsysGrammar *grammar, const LsysOptions *options, LsysMemory *memory, LsysSink *sink) {

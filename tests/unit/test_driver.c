@@ -94,11 +94,15 @@ static void keys_reach_the_grammar(void **state) {
 // Long enough for the other threads to be started.
 static void threads(void **state) {
   (void)state;
-  static const LsysGrammar *const grammars[] = {&algae, &bush};
-  static const char *const arguments[] = {"-n 40 --hash --threads", "-n 19 -D r=1 --hash --threads"};
+  // Pieces that are references, chunks, counts and text.
+  static const LsysGrammar *const grammars[] = {&algae, &bush, &algae, &bush, &bush};
+  static const char *const arguments[] = {"-n 40 --hash --threads", "-n 33 -D r=1 --seed 3 --hash --threads",
+                                          "-n 40 --format count --threads", "-n 33 -D r=1 --seed 3 --count --threads",
+                                          "-n 33 -D r=1 --seed 3 --range 1000000:2000 --threads"};
   static const unsigned counts[] = {2, 3, 7};
-  for (int i = 0; i < 2; i++) {
-    char command[64], wanted[64];
+  for (int i = 0; i < 5; i++) {
+    char command[128];
+    static char wanted[OUTPUT];
     sprintf(command, "%s 1", arguments[i]);
     assert_int_equal(run(grammars[i], command), 0);
     strcpy(wanted, output);
