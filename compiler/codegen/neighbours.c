@@ -66,12 +66,34 @@ static void match_strict(Matcher *m) {
 
 // ---- left ----------------------------------------------------------------------
 
+// Seen modules of the strict predecessor behind its first, which `passed` does not count yet.
+static uint32_t seen_behind_first(const Matcher *m) {
+  const Ir *ir = m->rewrite->scope.ir;
+  const Context *strict = &m->production->strict;
+  const uint8_t *class = ir->description->views[ir->facts->systems[m->rewrite->system].view].context_class;
+  uint32_t seen = 0;
+  for (size_t i = 1; i < strict->count; i++) seen += class[strict->at[i].kind] == LSYS_CLASS_SEEN;
+  return seen;
+}
+
+// Seen modules of the root's axis up to the end of the strict predecessor, if it stands there.
+static LLVMValueRef passed_with_strict(Matcher *m) {
+  Ir *ir = m->rewrite->scope.ir;
+  LLVMValueRef scan = walk_scan(m->rewrite);
+  LLVMValueRef passed = ir_load(ir, ir->types.i32, scan, ir->types.scan, SCAN_PASSED);
+  uint32_t more = seen_behind_first(m);
+  if (!more) return passed;
+  LLVMValueRef depth = ir_load(ir, ir->types.i64, scan, ir->types.scan, SCAN_DEPTH);
+  LLVMValueRef root = LLVMBuildICmp(ir->builder, LLVMIntEQ, depth, ir_int(ir, 0), "");
+  LLVMValueRef all = LLVMBuildAdd(ir->builder, passed, LLVMConstInt(ir->types.i32, more, false), "");
+  return LLVMBuildSelect(ir->builder, root, all, passed, "");
+}
+
 // In a ring, a neighbour from around the end of the word stands behind the strict predecessor.
 static void require_behind(Matcher *m, LLVMValueRef neighbour) {
   Ir *ir = m->rewrite->scope.ir;
-  LLVMValueRef scan = walk_scan(m->rewrite), zero = LLVMConstInt(ir->types.i32, 0, false);
+  LLVMValueRef zero = LLVMConstInt(ir->types.i32, 0, false), passed = passed_with_strict(m);
   LLVMValueRef wrap = ir_load(ir, ir->types.i32, neighbour, ir->types.neighbour, NEIGHBOUR_WRAP);
-  LLVMValueRef passed = ir_load(ir, ir->types.i32, scan, ir->types.scan, SCAN_PASSED);
   LLVMValueRef near = LLVMBuildICmp(ir->builder, LLVMIntEQ, wrap, zero, "");
   LLVMValueRef behind = LLVMBuildICmp(ir->builder, LLVMIntUGT, wrap, passed, "");
   require(m, LLVMBuildOr(ir->builder, near, behind, ""));
