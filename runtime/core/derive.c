@@ -289,3 +289,22 @@ bool lsys_derivation_run(LsysDerivation *derivation, uint32_t axiom, LsysSink *s
   free_axiom(derivation->worker.memory, &task.word);
   return well && task.well;
 }
+
+static bool build_blocks(Task *task) {
+  if (!task->derivation->blocks) task->derivation->blocks = lsys_blocks_build(task->worker);
+  return task->derivation->blocks;
+}
+
+static void *work_on_blocks(void *data) {
+  Task *task = data;
+  task->well = guarded(task, build_blocks);
+  return NULL;
+}
+
+bool lsys_derivation_blocks(LsysDerivation *derivation) {
+  Task task = {.derivation = derivation, .worker = &derivation->worker};
+  LsysThread thread;
+  if (!lsys_thread_start(&thread, task.worker, work_on_blocks, &task)) return false;
+  lsys_thread_join(&thread);
+  return task.well;
+}

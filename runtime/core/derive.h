@@ -27,4 +27,7 @@ void lsys_derivation_close(LsysDerivation *derivation);
 // Lets the word of start word `axiom` flow into the sink once: begin, takes, end. False after printing why it stopped.
 bool lsys_derivation_run(LsysDerivation *derivation, uint32_t axiom, LsysSink *sink, unsigned pass);
 
+// Makes the blocks of the run's fixed kinds, for those who need no word. False after printing why not.
+bool lsys_derivation_blocks(LsysDerivation *derivation);
+
 #endif

@@ -9,6 +9,7 @@
 #include "core/signals.h"
 #include "sinks/homomorphism.h"
 #include "sinks/progress.h"
+#include "sinks/shared.h"
 #include "sinks/tee.h"
 
 #include <stdio.h>
@@ -115,6 +116,11 @@ bool lsys_program_run(const LsysGrammar *grammar, const LsysOptions *options, Ls
   Outputs outputs = {.sinks = {own}, .count = own != NULL, .borrowed = own != NULL};
   lsys_message_quiet(options->at[LSYS_OPTION_QUIET].given);
   bool well = lsys_derivation_open(&derivation, grammar, options, &memory);
+  if (well && options->at[LSYS_OPTION_SHARED].given) {
+    well = lsys_shared_run(&derivation, &context);
+    lsys_derivation_close(&derivation);
+    return well;
+  }
   well = well && open_outputs(&outputs, &context) && add_progress(&outputs, &context);
   well = well && derive_into(&derivation, &outputs);
   well = close_outputs(&outputs, well);

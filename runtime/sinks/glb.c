@@ -2,8 +2,9 @@
 // over common vertices with normals and colours. The head holds sizes and
 // bounds, so vertices and indices are spooled.
 // Source: Khronos, glTF 2.0 specification, sections 3.6, 3.7 and 4.4.
+#include "sinks/glb.h"
+
 #include "core/message.h"
-#include "core/out.h"
 #include "sinks/model.h"
 #include "sinks/spool.h"
 
@@ -36,10 +37,10 @@ typedef struct Glb {
 static bool open_model(LsysModel *model, const LsysPalette *palette) {
   Glb *g = (Glb *)model;
   g->palette = palette;
-  for (int i = 0; i < 256; i++) {
-    double c = i / 255.0;
-    c = c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
-    g->linear[i] = (uint8_t)lrint(255 * c);
+  for (uint32_t i = 0; i < 256; i++) {
+    double linear[3];
+    lsys_glb_linear(i, linear);
+    g->linear[i] = (uint8_t)lrint(255 * linear[2]);
   }
   for (int i = 0; i < 3; i++) {
     g->low[i] = INFINITY;
@@ -148,27 +149,41 @@ static bool write_number(LsysOut *out, uint32_t number) {
   return lsys_out_write(out, bytes, sizeof bytes);
 }
 
+bool lsys_glb_head(LsysOut *out, uint64_t json, uint64_t binary) {
+  uint64_t size = HEAD + CHUNK_HEAD + json + (binary ? CHUNK_HEAD + binary : 0);
+  if (size > UINT32_MAX) {
+    lsys_error("the model takes %llu bytes; a GLB holds no more than 4 GiB", (unsigned long long)size);
+    return false;
+  }
+  write_number(out, MAGIC);
+  write_number(out, 2);
+  write_number(out, (uint32_t)size);
+  write_number(out, (uint32_t)json);
+  return write_number(out, CHUNK_JSON);
+}
+
+bool lsys_glb_binary(LsysOut *out, uint64_t binary) {
+  write_number(out, (uint32_t)binary);
+  return write_number(out, CHUNK_BINARY);
+}
+
+void lsys_glb_linear(uint32_t rgb, double *linear) {
+  for (int i = 0; i < 3; i++) {
+    double c = (rgb >> (16 - 8 * i) & 255) / 255.0;
+    linear[i] = c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
+  }
+}
+
 static bool close_model(LsysModel *model) {
   Glb *g = (Glb *)model;
   uint64_t binary = g->vertex.size + g->triangle.size + g->edge.size;
   Json json = {.size = 0};
   describe(g, &json, binary);
   while (json.size % 4) append(&json, " ");
-  uint64_t size = HEAD + CHUNK_HEAD + json.size + (binary ? CHUNK_HEAD + binary : 0);
-  if (size > UINT32_MAX) {
-    lsys_error("the model takes %llu bytes; a GLB holds no more than 4 GiB", (unsigned long long)size);
-    return false;
-  }
-  write_number(g->out, MAGIC);
-  write_number(g->out, 2);
-  write_number(g->out, (uint32_t)size);
-  write_number(g->out, (uint32_t)json.size);
-  write_number(g->out, CHUNK_JSON);
-  bool well = lsys_out_write(g->out, json.text, json.size);
-  if (!binary) return well;
-  write_number(g->out, (uint32_t)binary);
-  return write_number(g->out, CHUNK_BINARY) && lsys_spool_copy(&g->vertex, g->out)
-      && lsys_spool_copy(&g->triangle, g->out) && lsys_spool_copy(&g->edge, g->out);
+  bool well = lsys_glb_head(g->out, json.size, binary) && lsys_out_write(g->out, json.text, json.size);
+  if (!well || !binary) return well;
+  return lsys_glb_binary(g->out, binary) && lsys_spool_copy(&g->vertex, g->out) && lsys_spool_copy(&g->triangle, g->out)
+      && lsys_spool_copy(&g->edge, g->out);
 }
 
 static void destroy(LsysModel *model) {

@@ -13,6 +13,10 @@ typedef struct LsysModelOptions {
   LsysColours colours;
 } LsysModelOptions;
 
+struct LsysOptions;
+// Reads the options of models. False after printing what is wrong.
+bool lsys_model_options(const struct LsysOptions *given, LsysModelOptions *options);
+
 typedef struct LsysVertex {
   float x, y, z;
   float nx, ny, nz;  // unit; (0,0,1) at the ends of edges

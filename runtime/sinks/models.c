@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool read_options(const LsysOptions *given, LsysModelOptions *options) {
+bool lsys_model_options(const LsysOptions *given, LsysModelOptions *options) {
   const LsysOptionValue *width = &given->at[LSYS_OPTION_LINE_WIDTH], *sides = &given->at[LSYS_OPTION_SIDES];
   *options = (LsysModelOptions){.line_width = width->given ? width->real : NAN,
                                 .sides = sides->given ? (uint32_t)sides->whole : 0};
@@ -24,7 +24,7 @@ static bool read_options(const LsysOptions *given, LsysModelOptions *options) {
 static LsysSink *create(const LsysSinkContext *context, LsysModel *model) {
   LsysModelOptions options;
   if (!model) return NULL;
-  if (read_options(context->options, &options)) return lsys_model_create(model, &options);
+  if (lsys_model_options(context->options, &options)) return lsys_model_create(model, &options);
   model->destroy(model);
   return NULL;
 }

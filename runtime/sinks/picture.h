@@ -24,6 +24,10 @@ typedef struct LsysPictureOptions {
 // 1000 pixels, white, anti-aliased.
 extern const LsysPictureOptions lsys_picture_defaults;
 
+struct LsysOptions;
+// Reads the options of pictures. False after printing what is wrong.
+bool lsys_picture_options(const struct LsysOptions *given, LsysPictureOptions *options);
+
 // A place on the page in pixels: x to the right, y down, z towards the viewer.
 typedef struct LsysPoint {
   double x, y, z;

@@ -82,7 +82,7 @@ static bool read_projection(const LsysOptionValue *value, LsysPictureOptions *op
   return false;
 }
 
-static bool read_options(const LsysOptions *given, LsysPictureOptions *options) {
+bool lsys_picture_options(const LsysOptions *given, LsysPictureOptions *options) {
   *options = lsys_picture_defaults;
   return read_size(&given->at[LSYS_OPTION_PAGE_SIZE], options) && read_camera(&given->at[LSYS_OPTION_CAMERA], options)
       && read_projection(&given->at[LSYS_OPTION_PROJECTION], options)
@@ -93,10 +93,10 @@ static bool read_options(const LsysOptions *given, LsysPictureOptions *options) 
 
 LsysSink *lsys_sink_svg(const LsysSinkContext *context) {
   LsysPictureOptions options;
-  return read_options(context->options, &options) ? lsys_svg_create(context->out, &options) : NULL;
+  return lsys_picture_options(context->options, &options) ? lsys_svg_create(context->out, &options) : NULL;
 }
 
 LsysSink *lsys_sink_png(const LsysSinkContext *context) {
   LsysPictureOptions options;
-  return read_options(context->options, &options) ? lsys_png_create(context->out, &options) : NULL;
+  return lsys_picture_options(context->options, &options) ? lsys_png_create(context->out, &options) : NULL;
 }

@@ -46,6 +46,16 @@ bool lsys_spool_copy(LsysSpool *spool, LsysOut *out) {
   return !ferror(spool->file) || fail();
 }
 
+bool lsys_spool_append(LsysSpool *spool, LsysSpool *other) {
+  char buffer[COPY];
+  if (fflush(other->file) != 0 || fseek(other->file, 0, SEEK_SET) != 0) return fail();
+  size_t size;
+  while ((size = fread(buffer, 1, sizeof buffer, other->file)) > 0) {
+    if (!lsys_spool_write(spool, buffer, size)) return false;
+  }
+  return !ferror(other->file) || fail();
+}
+
 void lsys_spool_close(LsysSpool *spool) {
   if (spool->file) fclose(spool->file);
   spool->file = NULL;

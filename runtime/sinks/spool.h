@@ -19,6 +19,8 @@ bool lsys_spool_open(LsysSpool *spool);
 bool lsys_spool_write(LsysSpool *spool, const void *bytes, size_t size);
 // Appends everything that was written.
 bool lsys_spool_copy(LsysSpool *spool, struct LsysOut *out);
+// Appends what another spool holds.
+bool lsys_spool_append(LsysSpool *spool, LsysSpool *other);
 void lsys_spool_close(LsysSpool *spool);
 
 #endif

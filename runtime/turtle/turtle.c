@@ -3,7 +3,7 @@
 // Invariant: between two parts everything that the turtle knows is in LsysTurtle.
 #include "turtle/turtle.h"
 
-#include "turtle/state.h"
+#include "turtle/actions.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -335,6 +335,29 @@ bool lsys_turtle_take(LsysTurtle *t, const LsysWord *part) {
 bool lsys_turtle_end(LsysTurtle *t) {
   if (t->polygons) turtle_warn(t, WARN_OPEN_POLYGON, t->polygon_place, "'{' without '}': the polygon is not drawn");
   return turtle_flush(t);
+}
+
+LsysPose lsys_turtle_pose(const LsysTurtle *t) {
+  Frame f = turtle_frame(t);
+  return (LsysPose){lsys_turtle_position(t), f.h, f.l, f.u, t->state.width, t->state.colour};
+}
+
+void lsys_turtle_free(LsysTurtle *t) {
+  t->flat = t->plain = false;
+  t->directions.lattice = LATTICE_NONE;
+  t->step = t->run->value[LSYS_SETTING_STEP];
+  t->state_size = sizeof(State);
+}
+
+bool lsys_turtle_set_pose(LsysTurtle *t, const LsysPose *p) {
+  if (!turtle_flush(t)) return false;
+  t->state.at = (Pair){p->at.x, p->at.y};
+  t->state.z = p->at.z;
+  t->state.frame = (Frame){p->h, p->l, p->u};
+  t->state.width = p->width;
+  t->state.colour = p->colour;
+  turtle_jump(t);
+  return true;
 }
 
 LsysVec3 lsys_turtle_position(const LsysTurtle *t) {

@@ -41,4 +41,18 @@ bool lsys_turtle_end(LsysTurtle *turtle);
 // Where the turtle stands.
 LsysVec3 lsys_turtle_position(const LsysTurtle *turtle);
 
+// How it stands: place, frame (orthonormal, H x L = U) and pen.
+typedef struct LsysPose {
+  LsysVec3 at, h, l, u;
+  double width;
+  uint8_t colour;
+} LsysPose;
+LsysPose lsys_turtle_pose(const LsysTurtle *turtle);
+
+// Lets the turtle take any pose, from now on and by lsys_turtle_set_pose; it is slower then.
+void lsys_turtle_free(LsysTurtle *turtle);
+
+// Puts a free turtle elsewhere. False if the geometry wants to stop.
+bool lsys_turtle_set_pose(LsysTurtle *turtle, const LsysPose *pose);
+
 #endif
