@@ -20,6 +20,7 @@ typedef struct Generator {
   uint64_t state;
   Kind kinds[MOST_KINDS];
   int kind_count;
+  int system;   // whose productions are made
   int formals;  // of the production that is being made
   bool local;   // ... and it has a local variable
   bool parametric, guarded, stochastic, bracketed, cuts, left, right, decomposes, interprets, defines, drawn, blocks,
@@ -142,12 +143,25 @@ static FuzzModule terminal(Generator *g) {
   return made;
 }
 
+static void add_modules(Generator *g, FuzzWord *word, int count, int depth);
+
+// ?(n) ... $, now and then without its end.
+static void add_nested(Generator *g, FuzzWord *word, int depth) {
+  FuzzModule begin = {.symbol = '?', .arity = 1, .arg = {node(g, NODE_NUMBER, NULL, 0)}};
+  begin.arg[0]->number = chance(g, 80);
+  *VEC_PUSH(g->arena, word) = begin;
+  add_modules(g, word, 1 + below(g, 2), depth);
+  if (chance(g, 90)) *VEC_PUSH(g->arena, word) = (FuzzModule){.symbol = '$'};
+}
+
 static void add_modules(Generator *g, FuzzWord *word, int count, int depth) {
   for (int i = 0; i < count; i++) {
     if (g->bracketed && depth > 0 && chance(g, 20)) {
       *VEC_PUSH(g->arena, word) = (FuzzModule){.symbol = '['};
       add_modules(g, word, 1 + below(g, 2), depth - 1);
       *VEC_PUSH(g->arena, word) = (FuzzModule){.symbol = ']'};
+    } else if (g->grammar->nested && depth > 0 && chance(g, 15)) {
+      add_nested(g, word, depth - 1);
     } else if (g->cuts && chance(g, 4)) {
       *VEC_PUSH(g->arena, word) = (FuzzModule){.symbol = '%'};
     } else if (chance(g, 35)) {
@@ -197,11 +211,11 @@ static void add_context(Generator *g, FuzzWord *word, bool right) {
 // ---- productions ---------------------------------------------------------------
 
 static void add_rule(Generator *g, const Kind *kind, RuleSection section, bool weighted, bool last) {
-  FuzzRule rule = {.section = section, .table = -1};
+  FuzzRule rule = {.section = section, .system = g->system, .table = -1};
   bool contexts = section != RULE_DECOMPOSITION;
   g->formals = 0;
   g->local = false;
-  if (g->grammar->schedule && section == RULE_DERIVATION) rule.table = below(g, FUZZ_TABLES + 1) - 1;
+  if (g->grammar->schedule && section == RULE_DERIVATION && !g->system) rule.table = below(g, FUZZ_TABLES + 1) - 1;
   int often = last ? 15 : 50;  // the last one is what mostly happens
   if (contexts && g->left && chance(g, often)) add_context(g, &rule.left, false);
   *VEC_PUSH(g->arena, &rule.strict) = pattern(g, kind, true);
@@ -225,6 +239,16 @@ static void add_family(Generator *g, const Kind *kind, RuleSection section) {
   bool weighted = g->stochastic && chance(g, 60);
   int count = weighted ? 2 + below(g, 3) : 1 + below(g, 3);
   for (int i = 0; i < count; i++) add_rule(g, kind, section, weighted && chance(g, 90), i + 1 == count);
+}
+
+// All productions of an L-system; often: how many of 100 kinds are derived.
+static void add_families(Generator *g, int often) {
+  for (int i = 0; i < g->kind_count; i++)
+    if (chance(g, often)) add_family(g, &g->kinds[i], RULE_DERIVATION);
+  for (int i = 0; g->decomposes && i < g->kind_count; i++)
+    if (chance(g, 40)) add_family(g, &g->kinds[i], RULE_DECOMPOSITION);
+  for (int i = 0; g->interprets && i < g->kind_count; i++)
+    if (chance(g, 40)) add_family(g, &g->kinds[i], RULE_HOMOMORPHISM);
 }
 
 static void choose_kinds(Generator *g) {
@@ -253,11 +277,13 @@ static void choose_features(Generator *g) {
   g->pseudo = chance(g, 8);
   if (chance(g, 12)) g->grammar->schedule = chance(g, 50) ? "t0 t1" : "t0 t1 t1";
   g->cuts = g->bracketed && chance(g, 15);
+  g->grammar->nested = chance(g, 12);
   g->grammar->ring = (g->left || g->right) && !g->bracketed && chance(g, 15);
 }
 
 static void choose_ignore(Generator *g) {
   static const char *const symbols[] = {"+ - F", "F", "+ -", "A", "B F", "X f + -"};
+  if (g->grammar->nested && chance(g, 50)) g->grammar->ignore_nested = chance(g, 50) ? "+ - $ ?" : "A F";
   if (!(g->left || g->right) || !chance(g, 40)) return;
   g->grammar->ignore = symbols[below(g, sizeof symbols / sizeof *symbols)];
   g->grammar->consider = chance(g, 20);
@@ -284,12 +310,7 @@ FuzzGrammar *fuzz_generate(Arena *arena, uint64_t number_, double longest) {
   grammar->depth = 1 + below(g, 3);
   add_growth(g, &grammar->axiom);
   add_modules(g, &grammar->axiom, below(g, 4), 1);
-  for (int i = 0; i < g->kind_count; i++)
-    if (chance(g, 95)) add_family(g, &g->kinds[i], RULE_DERIVATION);
-  for (int i = 0; g->decomposes && i < g->kind_count; i++)
-    if (chance(g, 40)) add_family(g, &g->kinds[i], RULE_DECOMPOSITION);
-  for (int i = 0; g->interprets && i < g->kind_count; i++)
-    if (chance(g, 40)) add_family(g, &g->kinds[i], RULE_HOMOMORPHISM);
+  for (g->system = 0; g->system <= grammar->nested; g->system++) add_families(g, g->system ? 60 : 95);
   choose_ignore(g);
   for (grammar->steps = MOST_STEPS; grammar->steps > 0 && fuzz_too_long(grammar, longest);) grammar->steps--;
   return grammar;

@@ -45,6 +45,7 @@ typedef enum RuleSection { RULE_DERIVATION, RULE_DECOMPOSITION, RULE_HOMOMORPHIS
 
 typedef struct FuzzRule {
   RuleSection section;
+  int system;                    // 1: of the sub-L-system
   FuzzWord left, strict, right;  // left and right may be empty: no context
   Node *before;                  // assigned to the local variable before the guard; NULL: no such block
   Node *guard, *weight;          // NULL: none
@@ -64,7 +65,9 @@ typedef struct FuzzGrammar {
   const char *ignore;  // NULL: no such statement
   bool consider;       // `ignore` is a consider:
   bool ring;
-  const char *schedule;  // tables by step, NULL: no tables
+  const char *schedule;       // tables by step, NULL: no tables
+  bool nested;                // there is a sub-L-system, number 1,
+  const char *ignore_nested;  //   with its own ignored symbols; NULL: none
 } FuzzGrammar;
 
 // The grammar that a number stands for: always the same one. Its words stay short: `longest` bounds

@@ -99,17 +99,18 @@ static void print_rule(FILE *out, const FuzzRule *rule) {
   fputc('\n', out);
 }
 
-// The rules of a section and a table, in their order.
-static void print_rules(const FuzzGrammar *grammar, RuleSection section, int table, FILE *out) {
+// The rules of an L-system's section and table, in their order.
+static void print_rules(const FuzzGrammar *grammar, int system, RuleSection section, int table, FILE *out) {
   for (size_t i = 0; i < grammar->rules.count; i++) {
     const FuzzRule *rule = &grammar->rules.at[i];
-    if (rule->section == section && rule->table == table) print_rule(out, rule);
+    if (rule->system == system && rule->section == section && rule->table == table) print_rule(out, rule);
   }
 }
 
-static bool has_rules(const FuzzGrammar *grammar, RuleSection section) {
+static bool has_rules(const FuzzGrammar *grammar, int system, RuleSection section) {
   bool found = false;
-  for (size_t i = 0; i < grammar->rules.count; i++) found |= grammar->rules.at[i].section == section;
+  for (size_t i = 0; i < grammar->rules.count; i++)
+    found |= grammar->rules.at[i].system == system && grammar->rules.at[i].section == section;
   return found;
 }
 
@@ -133,17 +134,30 @@ static void print_statements(const FuzzGrammar *grammar, FILE *out) {
   fputc('\n', out);
 }
 
-void fuzz_print(const FuzzGrammar *grammar, FILE *out) {
+static void print_sections(const FuzzGrammar *grammar, int system, FILE *out) {
   static const char *const headers[] = {NULL, "decomposition", "homomorphism"};
+  for (RuleSection section = RULE_DECOMPOSITION; section < RULE_SECTIONS; section++) {
+    if (!has_rules(grammar, system, section)) continue;
+    fprintf(out, "%s\nmaximum depth: %d\n", headers[section], grammar->depth);
+    print_rules(grammar, system, section, -1, out);
+  }
+}
+
+static void print_nested(const FuzzGrammar *grammar, FILE *out) {
+  fputs("lsystem: nested\n", out);
+  if (grammar->ignore_nested) fprintf(out, "ignore: %s\n", grammar->ignore_nested);
+  print_rules(grammar, 1, RULE_DERIVATION, -1, out);
+  print_sections(grammar, 1, out);
+  fputs("endlsystem\n", out);
+}
+
+void fuzz_print(const FuzzGrammar *grammar, FILE *out) {
   print_statements(grammar, out);
-  print_rules(grammar, RULE_DERIVATION, -1, out);
+  print_rules(grammar, 0, RULE_DERIVATION, -1, out);
   for (int table = 0; grammar->schedule && table < FUZZ_TABLES; table++) {
     fprintf(out, "table t%d:\n", table);
-    print_rules(grammar, RULE_DERIVATION, table, out);
+    print_rules(grammar, 0, RULE_DERIVATION, table, out);
   }
-  for (RuleSection section = RULE_DECOMPOSITION; section < RULE_SECTIONS; section++) {
-    if (!has_rules(grammar, section)) continue;
-    fprintf(out, "%s\nmaximum depth: %d\n", headers[section], grammar->depth);
-    print_rules(grammar, section, -1, out);
-  }
+  print_sections(grammar, 0, out);
+  if (grammar->nested) print_nested(grammar, out);
 }
