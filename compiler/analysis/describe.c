@@ -158,11 +158,23 @@ static void describe_contexts(Arena *arena, const Program *program, const Facts 
   if (program->cut != KIND_NONE || program->lsystem_count > 1) grammar->flags |= LSYS_GRAMMAR_ORDERED;
 }
 
+static const char *describe_names(Arena *arena, const Program *program) {
+  size_t size = 1;
+  for (size_t i = 0; i < program->name_count; i++) size += strlen(program->names[i]) + 1;
+  char *names = arena_array(arena, size, 1), *end = names;
+  for (size_t i = 0; i < program->name_count; i++) {
+    if (i) *end++ = ' ';
+    end = stpcpy(end, program->names[i]);
+  }
+  return names;
+}
+
 LsysGrammar *describe(Arena *arena, const Program *program, const Facts *facts) {
   LsysGrammar *grammar = ARENA_NEW(arena, LsysGrammar);
   grammar->abi_version = LSYS_ABI_VERSION;
   grammar->flags = grammar_flags(program, facts);
   grammar->name = program->name;
+  grammar->names = describe_names(arena, program);
   grammar->kind_count = (uint32_t)program->kind_count;
   grammar->kinds = describe_kinds(arena, program, facts);
   describe_params(arena, program, grammar);

@@ -159,6 +159,7 @@ void freeze_grammar(Ir *ir, const Entries *entries) {
     FIELD(abi_version, int_of(i32, g->abi_version)),
     FIELD(flags, int_of(i32, g->flags)),
     FIELD(name, text(ir, g->name)),
+    FIELD(names, text(ir, g->names)),
     FIELD(kind_count, int_of(i32, g->kind_count)),
     FIELD(kinds, kinds(ir)),
     FIELD(param_count, int_of(i32, g->param_count)),

@@ -46,6 +46,8 @@ static void fill(Check *check) {
   program->axiom_count = check->axioms.count;
   program->surfaces = check->surfaces.at;
   program->surface_count = check->surfaces.count;
+  program->names = check->symbols.at;
+  program->name_count = check->symbols.count;
   program->sites = check->sites;
   Actions *blocks[] = {&program->start, &program->start_each, &program->end_each, &program->end};
   for (int i = 0; i < 4; i++) *blocks[i] = (Actions){check->blocks[i].at, check->blocks[i].count};

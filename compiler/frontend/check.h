@@ -142,6 +142,7 @@ typedef struct Check {
   VEC(Kind) kinds;
   VEC(bool) predecessor;  // per kind: some production replaces it
   VEC(Declaration) declarations;
+  VEC(const char *) symbols;  // every declared name, of modules and surfaces
 
   Map *system_map, *table_map;
   VEC(System *) systems;

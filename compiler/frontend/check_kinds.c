@@ -70,6 +70,9 @@ void kinds_declare(Check *check, const AstStatement *statement) {
   else if (statement->name)
     declare_module(check, statement);
   // `#modules a b` says how a word is cut into symbols, which the scanner knows already.
+  if (statement->name) *VEC_PUSH(check->arena, &check->symbols) = statement->name;
+  for (size_t i = 0; !statement->name && i < statement->symbols.count; i++)
+    *VEC_PUSH(check->arena, &check->symbols) = statement->symbols.at[i].name;
 }
 
 // ---- kinds ------------------------------------------------------------------------

@@ -237,6 +237,8 @@ typedef struct Program {
   size_t array_count;
   Surface *surfaces;
   size_t surface_count;
+  const char **names;  // declared, whether or not a kind has them: how words are cut into symbols
+  size_t name_count;
   Actions start, start_each, end_each, end;
   uint32_t sites;        // calls of random functions, numbered 1..sites
   AstExpr *environment;  // NULL: "point" if the grammar has ?E

@@ -38,67 +38,101 @@ static size_t compound_length(const char *text, size_t size) {
   return at > first + 1 ? at : 0;
 }
 
-size_t lsys_spelling_scan(const LsysSpelling *spelling, uint32_t count, const char *text, size_t size) {
+size_t lsys_speller_scan(const LsysSpeller *speller, const char *text, size_t size) {
   size_t length = longer(character_length(text, size), compound_length(text, size));
-  for (uint32_t i = 0; i < count; i++) {
-    size_t name = spelling[i].length;
-    if (name <= size && memcmp(spelling[i].symbol, text, name) == 0) length = longer(length, name);
-  }
-  for (int op = LSYS_TURTLE_NONE + 1; op < LSYS_TURTLE_COUNT; op++) {
-    const char *name = lsys_turtle[op].symbol;
-    size_t name_length = strlen(name);
-    if (name_length <= size && memcmp(name, text, name_length) == 0) length = longer(length, name_length);
+  for (size_t i = 0; i < speller->name_count; i++) {
+    const LsysName *name = &speller->names[i];
+    if (name->length > length && name->length <= size && memcmp(name->at, text, name->length) == 0)
+      length = name->length;
   }
   return length;
 }
 
-// True if some symbol of the grammar begins like rest, or is the beginning of it.
-static bool can_continue(const LsysGrammar *grammar, const char *rest) {
-  for (uint32_t i = 0; i < grammar->kind_count; i++) {
-    const char *symbol = grammar->kinds[i].symbol;
-    size_t length = strlen(symbol), rest_length = strlen(rest);
-    if (memcmp(symbol, rest, length < rest_length ? length : rest_length) == 0) return true;
+// ---- what needs care -----------------------------------------------------------
+
+// True if some kind's symbol begins like rest, or is the beginning of it.
+static bool can_continue(const LsysSpeller *speller, const char *rest, size_t size) {
+  for (uint32_t i = 0; i < speller->kind_count; i++) {
+    const LsysSpelling *kind = &speller->kinds[i];
+    if (memcmp(kind->symbol, rest, kind->length < size ? kind->length : size) == 0) return true;
   }
   return false;
 }
 
-static bool some_symbol_begins(const LsysGrammar *grammar, bool (*how)(char)) {
-  for (uint32_t i = 0; i < grammar->kind_count; i++)
-    if (how(grammar->kinds[i].symbol[0])) return true;
+static bool some_symbol_begins(const LsysSpeller *speller, bool (*how)(char)) {
+  for (uint32_t i = 0; i < speller->kind_count; i++)
+    if (how(speller->kinds[i].symbol[0])) return true;
   return false;
 }
 
-// True if name begins with symbol and modules of the grammar could spell its rest.
-static bool may_become(const LsysGrammar *grammar, const char *symbol, const char *name) {
-  size_t length = strlen(symbol);
-  return strncmp(symbol, name, length) == 0 && name[length] && can_continue(grammar, name + length);
-}
-
-static bool is_careful(const LsysGrammar *grammar, const char *symbol) {
-  size_t length = strlen(symbol), first = character_length(symbol, length);
-  if (strcmp(symbol, "?") == 0 && some_symbol_begins(grammar, is_letter)) return true;
-  if (strcmp(symbol, "/") == 0 && can_continue(grammar, "*")) return true;
-  if (length == first && is_letter(symbol[0]) && can_continue(grammar, "_")) return true;
+static bool is_careful(const LsysSpeller *speller, const char *symbol, size_t length) {
+  size_t first = character_length(symbol, length);
+  if (strcmp(symbol, "?") == 0 && some_symbol_begins(speller, is_letter)) return true;
+  if (strcmp(symbol, "/") == 0 && can_continue(speller, "*", 1)) return true;
+  if (length == first && is_letter(symbol[0]) && can_continue(speller, "_", 1)) return true;
   bool numbered = length > first + 1 && symbol[first] == '_' && is_digit(symbol[first + 1]);
-  if (numbered && some_symbol_begins(grammar, is_digit)) return true;
-  for (uint32_t i = 0; i < grammar->kind_count; i++)
-    if (may_become(grammar, symbol, grammar->kinds[i].symbol)) return true;
-  for (int op = LSYS_TURTLE_NONE + 1; op < LSYS_TURTLE_COUNT; op++)
-    if (may_become(grammar, symbol, lsys_turtle[op].symbol)) return true;
+  if (numbered && some_symbol_begins(speller, is_digit)) return true;
+  for (size_t i = 0; i < speller->name_count; i++) {
+    const LsysName *name = &speller->names[i];
+    if (name->length > length && memcmp(name->at, symbol, length) == 0
+        && can_continue(speller, name->at + length, name->length - length))
+      return true;
+  }
   return false;
 }
 
-LsysSpelling *lsys_spelling_create(const LsysGrammar *grammar, LsysMemory *memory) {
-  LsysSpelling *all = lsys_memory_alloc(memory, grammar->kind_count, sizeof *all);
-  for (uint32_t i = 0; all && i < grammar->kind_count; i++) {
-    LsysSpelling *one = &all[i];
-    one->symbol = grammar->kinds[i].symbol;
-    one->length = (uint32_t)strlen(one->symbol);
-    one->arity = grammar->kinds[i].arity;
-    one->most = (uint32_t)longer(one->length, LSYS_SHORT_SYMBOL) + 2 + one->arity * (LSYS_NUMBER_SIZE + 1u);
-    if (one->length <= LSYS_SHORT_SYMBOL) memcpy(one->padded, one->symbol, one->length);
-    one->careful = !one->arity && is_careful(grammar, one->symbol);
-    one->empty_parentheses = !one->arity && strcmp(one->symbol, ",") == 0;
+// ---- opening ---------------------------------------------------------------------
+
+static bool add_name(LsysSpeller *speller, const char *at, size_t length) {
+  if (length < 2) return true;  // every character is a symbol anyway
+  if (speller->name_count == speller->name_room) {
+    void *grown = lsys_memory_grow(speller->memory, speller->names, &speller->name_room, sizeof *speller->names);
+    if (!grown) return false;
+    speller->names = grown;
   }
-  return all;
+  speller->names[speller->name_count++] = (LsysName){at, length};
+  speller->longest = longer(speller->longest, length);
+  return true;
+}
+
+static bool add_names(LsysSpeller *speller, const LsysGrammar *grammar) {
+  bool well = true;
+  for (uint32_t i = 0; well && i < speller->kind_count; i++)
+    well = add_name(speller, speller->kinds[i].symbol, speller->kinds[i].length);
+  for (int op = LSYS_TURTLE_NONE + 1; well && op < LSYS_TURTLE_COUNT; op++)
+    well = add_name(speller, lsys_turtle[op].symbol, strlen(lsys_turtle[op].symbol));
+  for (const char *at = grammar->names; well && at && *at;) {
+    size_t length = strcspn(at, " ");
+    well = add_name(speller, at, length);
+    at += length + (at[length] == ' ');
+  }
+  return well;
+}
+
+bool lsys_speller_open(LsysSpeller *speller, const LsysGrammar *grammar, LsysMemory *memory) {
+  uint32_t count = grammar->kind_count;
+  *speller = (LsysSpeller){.memory = memory, .kind_count = count, .longest = 1};
+  speller->kinds = lsys_memory_alloc(memory, count, sizeof *speller->kinds);
+  if (!speller->kinds) return false;
+  for (uint32_t i = 0; i < count; i++) {
+    LsysSpelling *kind = &speller->kinds[i];
+    kind->symbol = grammar->kinds[i].symbol;
+    kind->length = (uint32_t)strlen(kind->symbol);
+    kind->arity = grammar->kinds[i].arity;
+    kind->most = (uint32_t)longer(kind->length, LSYS_SHORT_SYMBOL) + 2 + kind->arity * (LSYS_NUMBER_SIZE + 1u);
+    if (kind->length <= LSYS_SHORT_SYMBOL) memcpy(kind->padded, kind->symbol, kind->length);
+    kind->empty_parentheses = !kind->arity && strcmp(kind->symbol, ",") == 0;
+  }
+  if (!add_names(speller, grammar)) return false;
+  for (uint32_t i = 0; i < count; i++)
+    speller->kinds[i].careful =
+      !speller->kinds[i].arity && is_careful(speller, speller->kinds[i].symbol, speller->kinds[i].length);
+  return true;
+}
+
+void lsys_speller_close(LsysSpeller *speller) {
+  lsys_memory_free(speller->memory, speller->kinds, speller->kind_count, sizeof *speller->kinds);
+  lsys_memory_free(speller->memory, speller->names, speller->name_room, sizeof *speller->names);
+  speller->kinds = NULL;
+  speller->names = NULL;
 }

@@ -18,11 +18,27 @@ typedef struct LsysSpelling {
   bool empty_parentheses;  // `,()`: a bare comma would separate start words
 } LsysSpelling;
 
-// The spelling of each kind, kind_count of them; NULL after printing why not.
-LsysSpelling *lsys_spelling_create(const LsysGrammar *grammar, LsysMemory *memory);
+// A name that the scanner takes as one symbol.
+typedef struct LsysName {
+  const char *at;
+  size_t length;
+} LsysName;
+
+typedef struct LsysSpeller {
+  LsysMemory *memory;
+  LsysSpelling *kinds;
+  uint32_t kind_count;
+  LsysName *names;  // of kinds, declared, and of the turtle
+  size_t name_count, name_room;
+  size_t longest;  // bytes of a name
+} LsysSpeller;
+
+// False after printing why not; closed in either case.
+bool lsys_speller_open(LsysSpeller *speller, const LsysGrammar *grammar, LsysMemory *memory);
+void lsys_speller_close(LsysSpeller *speller);
 
 // How many of the bytes of text, the symbols and arguments of modules without
 // blanks, the scanner takes as its first symbol (LANGUAGE.md section 2).
-size_t lsys_spelling_scan(const LsysSpelling *spelling, uint32_t count, const char *text, size_t size);
+size_t lsys_speller_scan(const LsysSpeller *speller, const char *text, size_t size);
 
 #endif

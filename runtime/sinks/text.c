@@ -43,8 +43,7 @@ typedef struct TextSink {
   LsysSink sink;
   LsysMemory *memory;
   LsysOut *out;
-  LsysSpelling *spelling;
-  uint32_t kind_count;
+  LsysSpeller speller;
   unsigned width;
   uint64_t modules;  // of this word so far
   uint32_t last;     // the last one's kind
@@ -100,7 +99,7 @@ static bool write_pairs(TextSink *text, const LsysWord *part) {
     size_t n = left < PIECE ? (size_t)left : PIECE, i = 0;
     char *to = lsys_out_room(text->out, PIECE);
     for (; i + 2 <= n; i += 2) memcpy(to + i, &text->pair[sym[i] | sym[i + 1] << 8], 2);
-    if (i < n) to[i] = text->spelling[sym[i]].padded[0];
+    if (i < n) to[i] = text->speller.kinds[sym[i]].padded[0];
     lsys_out_filled(text->out, n);
     sym += n;
     left -= n;
@@ -120,7 +119,7 @@ typedef struct Rest {
 static char *put_piece(const TextSink *text, Printed *cache, char *to, Rest *rest) {
   const char *enough = to + PIECE;
   while (rest->i < rest->part->nsym && to < enough) {
-    const LsysSpelling *spelling = &text->spelling[kind_at(text, rest->part, rest->i)];
+    const LsysSpelling *spelling = &text->speller.kinds[kind_at(text, rest->part, rest->i)];
     if (spelling->most > PIECE) break;
     to = put_module(cache, to, spelling, rest->arg);
     rest->arg += spelling->arity;
@@ -145,7 +144,7 @@ static bool write_plain(TextSink *text, const LsysWord *part) {
     char *room = lsys_out_room(text->out, 2 * PIECE);
     lsys_out_filled(text->out, (size_t)(put_piece(text, text->printed, room, &rest) - room));
     if (rest.i == part->nsym) break;
-    const LsysSpelling *next = &text->spelling[kind_at(text, part, rest.i)];
+    const LsysSpelling *next = &text->speller.kinds[kind_at(text, part, rest.i)];
     if (next->most <= PIECE) continue;
     if (!write_long(text, next, rest.arg)) return false;
     rest.arg += next->arity;
@@ -158,8 +157,7 @@ static bool write_plain(TextSink *text, const LsysWord *part) {
 
 static bool needs_blank(const TextSink *text, const LsysSpelling *spelling, const char *at, size_t available) {
   bool closed = spelling->arity || spelling->empty_parentheses;
-  return spelling->careful && !closed
-      && lsys_spelling_scan(text->spelling, text->kind_count, at, available) != spelling->length;
+  return spelling->careful && !closed && lsys_speller_scan(&text->speller, at, available) != spelling->length;
 }
 
 // Writes the modules of the window of which enough text follows to decide on a
@@ -172,7 +170,8 @@ static bool write_window(TextSink *text, bool at_end) {
     size_t available = window->used - start, end = window->placed[i].end;
     if (!at_end && available < window->decides) break;
     lsys_out_write(text->out, at, end - start);
-    if (needs_blank(text, &text->spelling[window->placed[i].kind], at, available)) lsys_out_write(text->out, " ", 1);
+    if (needs_blank(text, &text->speller.kinds[window->placed[i].kind], at, available))
+      lsys_out_write(text->out, " ", 1);
     start = end;
   }
   window->used -= start;
@@ -188,7 +187,7 @@ static bool write_careful(TextSink *text, const LsysWord *part) {
   const double *arg = part->arg;
   for (uint64_t i = 0; i < part->nsym; i++) {
     unsigned kind = kind_at(text, part, i);
-    const LsysSpelling *spelling = &text->spelling[kind];
+    const LsysSpelling *spelling = &text->speller.kinds[kind];
     bool full = window->count == window->most || window->size - window->used < spelling->most;
     if (full && !write_window(text, false)) return false;
     char *end = put_module(text->printed, window->text + window->used, spelling, arg);
@@ -215,7 +214,7 @@ static bool prepare_modules(const TextSink *text, const LsysWord *part, LsysPrep
     if (!prepared->scratch) return false;
   }
   while (rest.i < part->nsym) {
-    const LsysSpelling *next = &text->spelling[kind_at(text, part, rest.i)];
+    const LsysSpelling *next = &text->speller.kinds[kind_at(text, part, rest.i)];
     char *room = lsys_prepared_room(prepared, next->most > PIECE ? next->most : 2 * PIECE);
     if (!room) return false;
     if (next->most > PIECE) {
@@ -269,7 +268,7 @@ static bool take(LsysSink *sink, const LsysWord *part) {
 static bool end(LsysSink *sink) {
   TextSink *text = (TextSink *)sink;
   if (text->careful && !write_window(text, true)) return false;
-  const LsysSpelling *last = &text->spelling[text->last];
+  const LsysSpelling *last = &text->speller.kinds[text->last];
   bool alone = text->modules == 1 && !last->arity && last->length == 1 && strchr("*\\", *last->symbol);
   return lsys_out_write(text->out, alone ? "()\n" : "\n", alone ? 3 : 1);
 }
@@ -286,23 +285,18 @@ static void destroy(LsysSink *sink) {
   lsys_memory_free(memory, text->window.placed, text->window.most, sizeof *text->window.placed);
   lsys_memory_free(memory, text->pair, 1 << 16, sizeof *text->pair);
   lsys_memory_free(memory, text->printed, 1 << CACHE_BITS, sizeof *text->printed);
-  lsys_memory_free(memory, text->spelling, text->kind_count, sizeof *text->spelling);
+  lsys_speller_close(&text->speller);
   lsys_memory_free(memory, text, 1, sizeof *text);
 }
 
 static bool open_window(TextSink *text) {
   Window *window = &text->window;
   size_t widest = 0;
-  for (uint32_t i = 0; i < text->kind_count; i++) {
-    const LsysSpelling *spelling = &text->spelling[i];
-    if (window->decides < spelling->length) window->decides = spelling->length;
+  for (uint32_t i = 0; i < text->speller.kind_count; i++) {
+    const LsysSpelling *spelling = &text->speller.kinds[i];
     if (widest < spelling->most) widest = spelling->most;
   }
-  for (int op = LSYS_TURTLE_NONE + 1; op < LSYS_TURTLE_COUNT; op++) {
-    size_t length = strlen(lsys_turtle[op].symbol);
-    if (window->decides < length) window->decides = length;
-  }
-  window->decides += LSYS_SHORT_SYMBOL;  // a subscript may follow
+  window->decides = text->speller.longest + LSYS_SHORT_SYMBOL;  // a subscript may follow
   window->size = PIECE + window->decides + widest;
   window->most = PIECE + window->decides;
   window->text = lsys_memory_alloc(text->memory, window->size, 1);
@@ -312,9 +306,9 @@ static bool open_window(TextSink *text) {
 
 static bool open_pairs(TextSink *text) {
   text->pair = lsys_memory_alloc(text->memory, 1 << 16, sizeof *text->pair);
-  for (uint32_t a = 0; text->pair && a < text->kind_count; a++)
-    for (uint32_t b = 0; b < text->kind_count; b++) {
-      char both[2] = {text->spelling[a].padded[0], text->spelling[b].padded[0]};
+  for (uint32_t a = 0; text->pair && a < text->speller.kind_count; a++)
+    for (uint32_t b = 0; b < text->speller.kind_count; b++) {
+      char both[2] = {text->speller.kinds[a].padded[0], text->speller.kinds[b].padded[0]};
       memcpy(&text->pair[a | b << 8], both, 2);
     }
   return text->pair;
@@ -322,9 +316,9 @@ static bool open_pairs(TextSink *text) {
 
 // Chooses the way of writing that the grammar's symbols allow.
 static bool open_tables(TextSink *text) {
-  bool parametric = false, single = text->kind_count <= MOST_PAIRED;
-  for (uint32_t i = 0; i < text->kind_count; i++) {
-    const LsysSpelling *spelling = &text->spelling[i];
+  bool parametric = false, single = text->speller.kind_count <= MOST_PAIRED;
+  for (uint32_t i = 0; i < text->speller.kind_count; i++) {
+    const LsysSpelling *spelling = &text->speller.kinds[i];
     text->careful |= spelling->careful;
     parametric |= spelling->arity > 0;
     single &= spelling->length == 1 && !spelling->arity && !spelling->empty_parentheses;
@@ -343,10 +337,8 @@ LsysSink *lsys_sink_text(const LsysSinkContext *context) {
   text->sink = (LsysSink){.passes = 1, .begin = begin, .take = take, .end = end, .finish = finish, .destroy = destroy};
   text->memory = context->memory;
   text->out = context->out;
-  text->kind_count = context->grammar->kind_count;
   text->width = lsys_symbol_width(context->grammar);
-  text->spelling = lsys_spelling_create(context->grammar, context->memory);
-  bool well = text->spelling && open_tables(text);
+  bool well = lsys_speller_open(&text->speller, context->grammar, context->memory) && open_tables(text);
   if (!text->careful && !text->pair) {  // pairs are written as fast as they would be handed over
     text->sink.prepare = prepare;
     text->sink.accept = accept;

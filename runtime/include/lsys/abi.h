@@ -139,6 +139,7 @@ struct LsysGrammar {
   uint32_t abi_version;
   uint32_t flags;
   const char *name;
+  const char *names;  // declared ones, separated by blanks; NULL: none. Words are cut into symbols by them, too
   uint32_t kind_count;
   const LsysKind *kinds;
   uint32_t param_count;
