@@ -3,6 +3,7 @@
 // Invariant: between two parts everything that the turtle knows is in LsysTurtle.
 #include "turtle/turtle.h"
 
+#include "core/message.h"
 #include "turtle/actions.h"
 
 #include <inttypes.h>
@@ -15,13 +16,11 @@
 void turtle_warn(LsysTurtle *t, TurtleWarning which, uint64_t place, const char *text) {
   if (t->warned & 1u << which) return;
   t->warned |= 1u << which;
-  const char *name = t->run->grammar->name;
-  fprintf(stderr, "%s: warning: axiom %" PRIu32 ", module %" PRIu64 ": %s (said once)\n", name ? name : "turtle",
-          t->axiom + 1, place + 1, text);
+  lsys_warning("axiom %" PRIu32 ", module %" PRIu64 ": %s (said once)", t->axiom + 1, place + 1, text);
 }
 
 static bool out_of_memory(void) {
-  fputs("error: out of memory for the turtle\n", stderr);
+  lsys_error("out of memory for the turtle");
   return false;
 }
 
@@ -125,8 +124,7 @@ static Abilities abilities(const LsysGrammar *g) {
 static double setting(const LsysRun *run, LsysSetting which) {
   double value = run->value[which];
   if (isfinite(value)) return value;
-  fprintf(stderr, "warning: %s: is %g; %g is taken instead\n", lsys_settings[which].keyword, value,
-          lsys_settings[which].value);
+  lsys_warning("%s: is %g; %g is taken instead", lsys_settings[which].keyword, value, lsys_settings[which].value);
   return run->value[which] = lsys_settings[which].value;
 }
 
