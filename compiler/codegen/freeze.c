@@ -148,6 +148,13 @@ static LLVMValueRef pointer(Ir *ir, LLVMValueRef function) {
   return function ? function : LLVMConstNull(ir->types.ptr);
 }
 
+// A table of cases needs no index of branches.
+static uint32_t flags(const Ir *ir) {
+  uint32_t given = ir->description->flags;
+  bool index = !ir->letters || (given & LSYS_GRAMMAR_WHOLE);
+  return index ? given : given & ~(uint32_t)LSYS_GRAMMAR_RIGHT;
+}
+
 #define FIELD(name, value)                                                                                             \
   { offsetof(LsysGrammar, name), (value) }
 
@@ -157,7 +164,7 @@ void freeze_grammar(Ir *ir, const Entries *entries) {
   LLVMValueRef null = LLVMConstNull(ir->types.ptr);
   const Field fields[] = {
     FIELD(abi_version, int_of(i32, g->abi_version)),
-    FIELD(flags, int_of(i32, g->flags)),
+    FIELD(flags, int_of(i32, flags(ir))),
     FIELD(name, text(ir, g->name)),
     FIELD(names, text(ir, g->names)),
     FIELD(kind_count, int_of(i32, g->kind_count)),

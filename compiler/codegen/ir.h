@@ -89,6 +89,7 @@ typedef struct Ir {
   bool state;                             // globals or blocks: everything happens in order, one after the other
   bool apart;                             // decomposition is a walk of its own behind each step
   bool stepping;                          // for the step engine: a module is derived by one step at a time
+  bool letters;                           // the step goes through a table of cases (letters.c)
   uint32_t room_sym, room_arg, room_key;  // the most that was asked for at once
 } Ir;
 
@@ -263,6 +264,9 @@ LLVMValueRef image_key(Ir *ir, size_t system, LLVMValueRef key);  // from which 
 
 // step.c: the descriptor's function that rewrites a word once; NULL where the expand engine does.
 LLVMValueRef step_emit(Ir *ir);
+
+// letters.c: a step that goes through a table of cases; NULL for grammars that need code.
+LLVMValueRef letters_emit(Ir *ir);
 
 // init.c
 LLVMValueRef init_emit(Ir *ir);

@@ -81,5 +81,7 @@ static void rewrite_module(Rewrite *rewrite) {
 }
 
 LLVMValueRef step_emit(Ir *ir) {
-  return ir->stepping ? walk_emit(ir, "step", WAY_STEP, begin, rewrite_module) : NULL;
+  if (!ir->stepping) return NULL;
+  LLVMValueRef by_table = letters_emit(ir);
+  return by_table ? by_table : walk_emit(ir, "step", WAY_STEP, begin, rewrite_module);
 }

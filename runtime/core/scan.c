@@ -226,13 +226,12 @@ struct ScanOpen {
   LsysSkip *skip;
 };
 
-// An array of at least count elements, grown to twice of that; what it held is kept.
-static void *array_for(LsysRun *run, void *at, size_t *room, size_t count, size_t size) {
+void *scan_array(LsysRun *run, void *at, size_t *room, size_t count, size_t size) {
   if (count <= *room) return at;
   size_t wanted = 2 * count;
   lsys_charge(run, (int64_t)((wanted - *room) * size));
   void *grown = realloc(at, wanted * size);
-  if (!grown) lsys_fail(run, "out of memory for the index of %zu branches", count);
+  if (!grown) lsys_fail(run, "out of memory for the index of a word of %zu modules", count);
   *room = wanted;
   return grown;
 }
@@ -255,7 +254,7 @@ static void index_segment(ScanIndex *index, const ScanTables *tables, LsysRun *r
     uint32_t kind = symbol(at, tables->wide);
     arg += tables->arity[kind];
     if (kind == tables->open) {
-      index->stack = array_for(run, index->stack, &index->stack_room, *depth + 1, sizeof *index->stack);
+      index->stack = scan_array(run, index->stack, &index->stack_room, *depth + 1, sizeof *index->stack);
       index->stack[(*depth)++].skip = &segment->skip[open++];
     } else if (kind == tables->close && *depth) {
       *index->stack[--*depth].skip = (LsysSkip){at + width, arg, number, open};
@@ -268,7 +267,7 @@ void scan_index(ScanIndex *index, const ScanTables *tables, LsysRun *run, LsysSe
   size_t total = 0, used = 0, depth = 0;
   for (uint32_t i = 0; i < count; i++)
     total += segments[i].skip_count = count_symbol(&segments[i], tables->open, tables->wide);
-  index->skips = array_for(run, index->skips, &index->room, total, sizeof *index->skips);
+  index->skips = scan_array(run, index->skips, &index->room, total, sizeof *index->skips);
   for (uint32_t i = 0; i < count; i++) {
     segments[i].skip = index->skips + used;
     used += segments[i].skip_count;
@@ -317,14 +316,21 @@ void scan_start(LsysScan *scan, const ScanTables *tables, const LsysContextView 
                      .level_room = kept.level_room,
                      .saved = kept.saved,
                      .around = kept.around,
-                     .around_room = kept.around_room};
+                     .around_room = kept.around_room,
+                     .code = kept.code,
+                     .aside = kept.aside,
+                     .code_room = kept.code_room,
+                     .aside_room = kept.aside_room};
   forget_left(scan);
   if (scan->ring) wrap_window(scan);
 }
 
 void scan_free(LsysScan *scan, LsysRun *run) {
   lsys_charge(run, -(int64_t)(level_bytes(scan, scan->level_room) + scan->around_room * sizeof *scan->around));
+  lsys_charge(run, -(int64_t)(scan->code_room + scan->aside_room * sizeof *scan->aside));
   free(scan->levels);
   free(scan->saved);
   free(scan->around);
+  free(scan->code);
+  free(scan->aside);
 }

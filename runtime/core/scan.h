@@ -35,4 +35,8 @@ void scan_start(LsysScan *scan, const ScanTables *tables, const LsysContextView 
                 const LsysSegment *segments, uint32_t count, LsysNeighbour *left);
 void scan_free(LsysScan *scan, LsysRun *run);
 
+// An array of at least count elements, grown to twice of that if need be; what it held is kept. The run ends where
+// there is no memory.
+void *scan_array(LsysRun *run, void *at, size_t *room, size_t count, size_t size);
+
 #endif

@@ -95,6 +95,9 @@ struct LsysScan {
   uint32_t *around;      // the L-systems around `system`, nested of them
   uint64_t nested;
   size_t around_room;
+  uint8_t *code;    // lsys_step_letters: of each module
+  uint32_t *aside;  //   and rows put aside
+  size_t code_room, aside_room;
 };
 
 // At the beginning of a seen module's rewriting, compiled code sets ahead_known = 0 and, in a ring, counts the module
@@ -131,5 +134,38 @@ bool lsys_closes(const LsysScan *scan, const LsysCursor *cursor);
 // Moves scan->sym, arg, key to the `]` that ends the branch (or the end of the word): the cut `%`. The
 // scan must cover the whole word.
 void lsys_cut(LsysScan *scan);
+
+// ---- words of letters --------------------------------------------------------
+
+enum { LSYS_CODES = 256 };
+
+// What passing a module makes of the row, by its code: (row & keep) | (what was put aside last & pop) | set. Behind a
+// bracket more or fewer rows are put aside.
+typedef struct LsysMoves {
+  uint32_t keep[LSYS_CODES], pop[LSYS_CODES], set[LSYS_CODES];
+  int64_t depth[LSYS_CODES];
+} LsysMoves;
+
+// What becomes of modules without arguments where that depends on their kind and on the kind of one neighbour on each
+// side. Kinds are in classes as neighbours; 0: none that makes a difference, or none at all. A module's code is
+// (class of the right one) * kinds + its kind, less than LSYS_CODES; its row is (class of the left one) * codes.
+typedef struct LsysLetters {
+  const uint8_t *text;     // [row + code]: what it becomes, in `width` bytes each
+  const uint8_t *length;   // [row + code]: how much of that
+  const LsysMoves *left;   // by code: for the row of what follows
+  const LsysMoves *right;  // by kind: for what adds up to the code of what stands before
+  uint32_t width;          // 8, 16, 32 or 64
+  uint32_t longest;        // length
+  uint32_t looks_right;    // 0: right is not there, and codes are kinds
+  uint32_t nested;         // 0: no move puts anything aside
+} LsysLetters;
+
+// The room for symbols that a grammar with this table promises (LsysGrammar.room_sym).
+#define LSYS_LETTERS_ROOM(longest) (64 + 64 * (longest))
+
+struct LsysStream;
+
+// Rewrites the whole word from scan->sym to scan->end.
+void lsys_step_letters(LsysScan *scan, struct LsysStream *out, const LsysLetters *letters);
 
 #endif
