@@ -72,3 +72,13 @@ bool fuzz_too_long(const FuzzGrammar *grammar, double longest) {
   }
   return false;
 }
+
+uint64_t fuzz_most_steps(const FuzzGrammar *grammar, double longest) {
+  enum { ENOUGH = 60 };
+  FuzzGrammar longer = *grammar;
+  while (longer.steps < ENOUGH) {
+    longer.steps++;
+    if (fuzz_too_long(&longer, longest)) return (uint64_t)longer.steps - 1;
+  }
+  return ENOUGH;
+}

@@ -18,6 +18,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+static const double LONG_WORD = 1e7;  // modules, for threads
+
 const char *const verdict_names[VERDICTS] = {"agree", "refused", "unsupported", "differ", "crash", "late"};
 
 // ---- words in memory -----------------------------------------------------------
@@ -167,14 +169,66 @@ static bool survives_printing(const Compilation *c, const Collector *word, FILE 
   return well;
 }
 
-static Verdict compare_jit(const Engines *engines, const Compilation *c, const Collector *word) {
+// ---- threads --------------------------------------------------------------------
+
+// A sink that keeps a digest only: words that threads share are too long to be kept.
+typedef struct Digest {
+  LsysSink sink;
+  uint64_t symbols, arguments, modules;
+} Digest;
+
+static uint64_t mix(uint64_t digest, uint64_t value) {
+  return (digest ^ value) * UINT64_C(0x100000001B3) + 1;
+}
+
+static bool digest(LsysSink *sink, const LsysWord *part) {
+  Digest *to = (Digest *)sink;
+  for (uint64_t i = 0; i < part->nsym; i++) to->symbols = mix(to->symbols, part->sym[i]);
+  for (uint64_t i = 0; i < part->narg; i++) {
+    uint64_t bits;
+    memcpy(&bits, &part->arg[i], sizeof bits);
+    to->arguments = mix(to->arguments, part->arg[i] == part->arg[i] ? bits : 0);
+  }
+  to->modules += part->nsym;
+  return true;
+}
+
+static bool begin_digest(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
+  (void)sink, (void)run, (void)axiom, (void)pass;
+  return true;
+}
+
+static bool derive_digest(const LsysGrammar *grammar, uint64_t steps, uint64_t threads, Digest *into) {
+  LsysOptions options = {0};
+  options.at[LSYS_OPTION_STEPS] = (LsysOptionValue){.given = true, .whole = steps};
+  options.at[LSYS_OPTION_THREADS] = (LsysOptionValue){.given = true, .whole = threads};
+  LsysMemory memory = {.limit = UINT64_C(1) << 31};
+  *into = (Digest){.sink = {.passes = 1, .begin = begin_digest, .take = digest, .end = end, .finish = end}};
+  return derive_into(grammar, &options, &memory, &into->sink);
+}
+
+// So many steps that the work is worth sharing, on one thread and on seven.
+static bool same_on_threads(const LsysGrammar *grammar, uint64_t steps) {
+  Digest one, seven;
+  if (!derive_digest(grammar, steps, 1, &one) || !derive_digest(grammar, steps, 7, &seven)) return false;
+  if (one.modules == seven.modules && one.symbols == seven.symbols && one.arguments == seven.arguments) return true;
+  fprintf(stderr, "after %" PRIu64 " steps, %" PRIu64 " modules: seven threads give another word than one\n", steps,
+          one.modules);
+  return false;
+}
+
+// ---- compiled code --------------------------------------------------------------
+
+static Verdict compare_jit(const Engines *engines, const Compilation *c, const Collector *word, uint64_t long_steps) {
   if (!engines->backend) return VERDICT_AGREE;
   BackendOptions options = {.optimise = 2, .symbol = "lsys_grammar"};
   Jit *jit =
     engines->backend->jit(c->program, c->facts, c->description, &options, lsys_symbols, lsys_symbol_count, c->diag);
   if (!jit) return VERDICT_UNSUPPORTED;
   Collector other = collector(c->arena);
-  bool well = derive(engines->backend->jit_grammar(jit), &other) && same_word(word, &other, "jit");
+  const LsysGrammar *grammar = engines->backend->jit_grammar(jit);
+  bool well = derive(grammar, &other) && same_word(word, &other, "jit");
+  if (well && long_steps) well = same_on_threads(grammar, long_steps);
   engines->backend->jit_free(jit);
   return well ? VERDICT_AGREE : VERDICT_DIFFER;
 }
@@ -205,7 +259,7 @@ static Verdict compare_executables(const Engines *engines, Arena *arena, const c
 
 // ---- all together ---------------------------------------------------------------
 
-Verdict engines_compare(const Engines *engines, const FuzzGrammar *grammar, bool executables, Lengths *lengths) {
+Verdict engines_compare(const Engines *engines, const FuzzGrammar *grammar, bool thorough, Lengths *lengths) {
   Arena *arena = arena_create();
   char *text;
   size_t length;
@@ -221,15 +275,16 @@ Verdict engines_compare(const Engines *engines, const FuzzGrammar *grammar, bool
     verdict = interpret(&c, &word) ? VERDICT_AGREE : VERDICT_DIFFER;
   if (lengths) *lengths = word.lengths;
   if (verdict == VERDICT_AGREE && !survives_printing(&c, &word, engines->nowhere)) verdict = VERDICT_DIFFER;
-  if (verdict == VERDICT_AGREE) verdict = compare_jit(engines, &c, &word);
-  if (verdict == VERDICT_AGREE && executables && engines->lsysc)
+  uint64_t long_steps = thorough ? fuzz_most_steps(grammar, LONG_WORD) : 0;
+  if (verdict == VERDICT_AGREE) verdict = compare_jit(engines, &c, &word, long_steps);
+  if (verdict == VERDICT_AGREE && thorough && engines->lsysc)
     verdict = compare_executables(engines, arena, text, length);
   free(text);
   arena_destroy(arena);
   return verdict;
 }
 
-Verdict engines_compare_apart(const Engines *engines, const FuzzGrammar *grammar, bool executables, Lengths *lengths,
+Verdict engines_compare_apart(const Engines *engines, const FuzzGrammar *grammar, bool thorough, Lengths *lengths,
                               bool loud) {
   enum { SECONDS = 20 };
   fflush(NULL);
@@ -240,7 +295,7 @@ Verdict engines_compare_apart(const Engines *engines, const FuzzGrammar *grammar
       dup2(nowhere, STDERR_FILENO);
     }
     alarm(SECONDS);
-    _exit((int)engines_compare(engines, grammar, executables, lengths));
+    _exit((int)engines_compare(engines, grammar, thorough, lengths));
   }
   int status;
   if (child < 0 || waitpid(child, &status, 0) < 0) return VERDICT_CRASH;

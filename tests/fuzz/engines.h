@@ -31,12 +31,12 @@ typedef struct Engines {
 } Engines;
 
 // Derives by the interpreter and by the JIT, with and without homomorphism, and by the interpreter again after the
-// grammar was printed by fmt, and compares modules and argument bits; with executables also -O0 and -O2. Prints
-// what differs. lengths may be NULL.
-Verdict engines_compare(const Engines *engines, const FuzzGrammar *grammar, bool executables, Lengths *lengths);
+// grammar was printed by fmt, and compares modules and argument bits; if thorough, also executables of -O0 and -O2,
+// and long words on one and on seven threads. Prints what differs. lengths may be NULL.
+Verdict engines_compare(const Engines *engines, const FuzzGrammar *grammar, bool thorough, Lengths *lengths);
 
 // The same in a process of its own, so that a crash is a verdict; lengths must be shared memory. Silent unless `loud`.
-Verdict engines_compare_apart(const Engines *engines, const FuzzGrammar *grammar, bool executables, Lengths *lengths,
+Verdict engines_compare_apart(const Engines *engines, const FuzzGrammar *grammar, bool thorough, Lengths *lengths,
                               bool loud);
 
 #endif

@@ -80,6 +80,9 @@ void fuzz_print(const FuzzGrammar *grammar, FILE *out);
 // True if a word could become longer than `longest` after the grammar's steps.
 bool fuzz_too_long(const FuzzGrammar *grammar, double longest);
 
+// The most steps after which no word can be longer than `longest`; at least the grammar's own.
+uint64_t fuzz_most_steps(const FuzzGrammar *grammar, double longest);
+
 // Tries smaller and smaller grammars as long as `fails` holds of them; the smallest that was found.
 typedef bool FuzzFails(const FuzzGrammar *grammar, void *data);
 FuzzGrammar *fuzz_reduce(Arena *arena, const FuzzGrammar *grammar, FuzzFails *fails, void *data);

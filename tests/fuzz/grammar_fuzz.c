@@ -20,7 +20,7 @@ static const double LONGEST = 20000;  // modules of a word
 
 typedef struct Options {
   uint64_t first, count;
-  uint64_t sample;  // every so many grammars are made into executables, too; 0: none
+  uint64_t sample;  // every so many grammars are tried thoroughly; 0: none
   int jobs;
   bool print;
   const char *backend, *lsysc, *keep;
@@ -30,7 +30,7 @@ typedef struct Options {
 typedef struct Progress {
   uint64_t at;      // the grammar that is being tried
   Lengths lengths;  // of a failing one, in the first worker's
-  uint64_t verdicts[VERDICTS], executables, modules;
+  uint64_t verdicts[VERDICTS], thorough, modules;
 } Progress;
 
 typedef struct Fuzz {
@@ -47,7 +47,8 @@ static void usage(FILE *out) {
   fputs("grammar_fuzz [--first N] [--count N] [--jobs N] [--sample N] [--backend FILE] [--lsysc FILE] [--keep FOLDER]\n"
         "grammar_fuzz --print N\n"
         "Grammar number N is the same on every machine. --backend: lsysc-llvm.so, for the JIT. --lsysc: the\n"
-        "compiler, for executables of every sample-th grammar. --keep: where failing grammars are written.\n",
+        "compiler. Every sample-th grammar is tried as executables and with long words, too. --keep: where failing "
+        "grammars are written.\n",
         out);
 }
 
@@ -81,11 +82,11 @@ static bool read_options(Options *options, int argc, char **argv) {
 
 // ---- workers -------------------------------------------------------------------
 
-static bool with_executables(const Fuzz *fuzz, uint64_t grammar) {
+static bool is_thorough(const Fuzz *fuzz, uint64_t grammar) {
   return fuzz->options.sample && grammar % fuzz->options.sample == 0;
 }
 
-// Tries grammars from `at` on, every jobs-th; ends the process at one on which the engines differ.
+// Tries grammars from `at` on, every jobs-th; ends the process at one that fails.
 static _Noreturn void work(const Fuzz *fuzz, int worker, uint64_t at) {
   Progress *progress = &fuzz->progress[worker];
   for (; at < fuzz->options.first + fuzz->options.count; at += (uint64_t)fuzz->options.jobs) {
@@ -93,13 +94,13 @@ static _Noreturn void work(const Fuzz *fuzz, int worker, uint64_t at) {
     alarm(LATEST);
     Arena *arena = arena_create();
     FuzzGrammar *grammar = fuzz_generate(arena, at, LONGEST);
-    bool executables = with_executables(fuzz, at);
+    bool thorough = is_thorough(fuzz, at);
     Lengths lengths = {0};
-    Verdict verdict = engines_compare(&fuzz->engines, grammar, executables, &lengths);
+    Verdict verdict = engines_compare(&fuzz->engines, grammar, thorough, &lengths);
     arena_destroy(arena);
-    if (verdict == VERDICT_DIFFER || verdict == VERDICT_REFUSED) _exit((int)verdict);
-    progress->verdicts[verdict]++;
-    progress->executables += executables;
+    if (verdict != VERDICT_AGREE) _exit((int)verdict);
+    progress->verdicts[VERDICT_AGREE]++;
+    progress->thorough += thorough;
     progress->modules += lengths.word;
   }
   _exit(VERDICT_AGREE);
@@ -121,13 +122,13 @@ static Verdict verdict_of(int status) {
 typedef struct Wanted {
   const Engines *engines;
   Verdict verdict;
-  bool executables;
+  bool thorough;
 } Wanted;
 
 static bool still_fails(const FuzzGrammar *grammar, void *data) {
   const Wanted *wanted = data;
   return !fuzz_too_long(grammar, LONGEST)
-      && engines_compare_apart(wanted->engines, grammar, wanted->executables, NULL, false) == wanted->verdict;
+      && engines_compare_apart(wanted->engines, grammar, wanted->thorough, NULL, false) == wanted->verdict;
 }
 
 static void write_case(const FuzzGrammar *grammar, Verdict verdict, const Lengths *lengths, FILE *out) {
@@ -141,19 +142,19 @@ static void write_case(const FuzzGrammar *grammar, Verdict verdict, const Length
 static void report(Fuzz *fuzz, uint64_t at, Verdict verdict) {
   Arena *arena = arena_create();
   FuzzGrammar *grammar = fuzz_generate(arena, at, LONGEST);
-  Wanted wanted = {&fuzz->engines, verdict, with_executables(fuzz, at)};
+  Wanted wanted = {&fuzz->engines, verdict, is_thorough(fuzz, at)};
   fuzz->failures++;
   fprintf(stderr, "grammar %" PRIu64 ": %s; reducing\n", at, verdict_names[verdict]);
   if (still_fails(grammar, &wanted)) {
-    bool apart = wanted.executables;
-    wanted.executables = false;  // the JIT is faster, if it fails, too
-    if (apart && !still_fails(grammar, &wanted)) wanted.executables = true;
+    bool thorough = wanted.thorough;
+    wanted.thorough = false;  // that is faster, if it fails, too
+    if (thorough && !still_fails(grammar, &wanted)) wanted.thorough = true;
     grammar = fuzz_reduce(arena, grammar, still_fails, &wanted);
   } else {
     fputs("it does not happen again\n", stderr);
   }
   Lengths *lengths = &fuzz->progress->lengths;
-  engines_compare_apart(&fuzz->engines, grammar, wanted.executables, lengths, true);
+  engines_compare_apart(&fuzz->engines, grammar, wanted.thorough, lengths, true);
   write_case(grammar, verdict, lengths, stderr);
   if (fuzz->options.keep) {
     const char *path = arena_printf(arena, "%s/fuzz-%" PRIu64 ".lsys", fuzz->options.keep, at);
@@ -197,14 +198,14 @@ static void summarise(const Fuzz *fuzz) {
   for (int worker = 0; worker < fuzz->options.jobs; worker++) {
     for (int verdict = 0; verdict < VERDICTS; verdict++)
       all.verdicts[verdict] += fuzz->progress[worker].verdicts[verdict];
-    all.executables += fuzz->progress[worker].executables;
+    all.thorough += fuzz->progress[worker].thorough;
     all.modules += fuzz->progress[worker].modules;
   }
   printf("grammars %" PRIu64 "..%" PRIu64 ":", fuzz->options.first, fuzz->options.first + fuzz->options.count - 1);
   for (int verdict = 0; verdict < VERDICTS; verdict++)
     if (all.verdicts[verdict] || verdict == VERDICT_AGREE)
       printf(" %" PRIu64 " %s,", all.verdicts[verdict], verdict_names[verdict]);
-  printf(" %" PRIu64 " as executables, too; %" PRIu64 " modules\n", all.executables, all.modules);
+  printf(" %" PRIu64 " thoroughly; %" PRIu64 " modules\n", all.thorough, all.modules);
 }
 
 static bool load_backend(Fuzz *fuzz) {
