@@ -14,6 +14,8 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { MOST_SINKS = 6 };  // the word or picture, the reports, progress, and a program's own
@@ -108,6 +110,16 @@ static bool derive_into(LsysDerivation *derivation, Outputs *outputs) {
   return sink->finish(sink);
 }
 
+// --stats: what it cost, which is no part of the result.
+static void report_cost(const struct timespec *started) {
+  struct timespec now;
+  struct rusage usage;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  getrusage(RUSAGE_SELF, &usage);
+  double seconds = (double)(now.tv_sec - started->tv_sec) + (double)(now.tv_nsec - started->tv_nsec) * 1e-9;
+  lsys_note("%.3f s, %.1f MiB of memory at most", seconds, (double)usage.ru_maxrss / 1024);
+}
+
 bool lsys_program_run(const LsysGrammar *grammar, const LsysOptions *options, LsysSink *own) {
   const LsysOptionValue *limit = &options->at[LSYS_OPTION_MAX_MEMORY];
   LsysMemory memory = {.limit = limit->given ? limit->whole : lsys_memory_default()};
@@ -115,6 +127,8 @@ bool lsys_program_run(const LsysGrammar *grammar, const LsysOptions *options, Ls
   LsysDerivation derivation;
   Outputs outputs = {.sinks = {own}, .count = own != NULL, .borrowed = own != NULL};
   lsys_message_quiet(options->at[LSYS_OPTION_QUIET].given);
+  struct timespec started;
+  clock_gettime(CLOCK_MONOTONIC, &started);
   bool well = lsys_derivation_open(&derivation, grammar, options, &memory);
   if (well && options->at[LSYS_OPTION_SHARED].given) {
     well = lsys_shared_run(&derivation, &context);
@@ -125,6 +139,7 @@ bool lsys_program_run(const LsysGrammar *grammar, const LsysOptions *options, Ls
   well = well && derive_into(&derivation, &outputs);
   well = close_outputs(&outputs, well);
   lsys_derivation_close(&derivation);
+  if (well && options->at[LSYS_OPTION_STATS].given && isatty(STDERR_FILENO)) report_cost(&started);
   return well;
 }
 

@@ -16,6 +16,7 @@ typedef struct CountSink {
   LsysOut *out;
   uint32_t axiom;
   bool several;       // start words: each block gets a heading
+  bool sizes;         // --stats: how many bytes the packed word takes, too
   uint64_t counts[];  // LANES tables of kind_count each
 } CountSink;
 
@@ -79,10 +80,11 @@ static bool end(LsysSink *sink) {
   CountSink *count = (CountSink *)sink;
   const LsysGrammar *grammar = count->grammar;
   uint32_t kinds = grammar->kind_count;
-  uint64_t *sum = count->counts, total = 0;
+  uint64_t *sum = count->counts, total = 0, bytes = 0;
   for (uint32_t k = 0; k < kinds; k++) {
     for (uint32_t l = 1; l < LANES; l++) sum[k] += count->counts[l * kinds + k];
     total += sum[k];
+    bytes += sum[k] * (lsys_symbol_width(grammar) + grammar->kinds[k].arity * sizeof(double));
     uint32_t first = lsys_count_first(grammar, k);
     if (first != k) sum[first] += sum[k];
   }
@@ -90,7 +92,8 @@ static bool end(LsysSink *sink) {
   for (uint32_t k = 0; k < kinds; k++)
     if (lsys_count_first(grammar, k) == k)
       well = lsys_out_print(count->out, "%s\t%llu\n", grammar->kinds[k].symbol, (unsigned long long)sum[k]);
-  return well && lsys_out_print(count->out, "total\t%llu\n", (unsigned long long)total);
+  well = well && lsys_out_print(count->out, "total\t%llu\n", (unsigned long long)total);
+  return well && (!count->sizes || lsys_out_print(count->out, "bytes\t%llu\n", (unsigned long long)bytes));
 }
 
 static bool finish(LsysSink *sink) {
@@ -119,6 +122,7 @@ LsysSink *lsys_sink_count(const LsysSinkContext *context) {
   count->grammar = context->grammar;
   count->memory = context->memory;
   count->out = context->out;
+  count->sizes = context->options->at[LSYS_OPTION_STATS].given;
   count->several = context->grammar->axiom_count > 1 && !context->options->at[LSYS_OPTION_AXIOM].given;
   return &count->sink;
 }
