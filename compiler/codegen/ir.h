@@ -138,6 +138,8 @@ typedef struct Slot {
   LLVMValueRef value, address;
 } Slot;
 
+void slot_bind(Ir *ir, Slot *slot, LLVMValueRef value);
+
 // What an expression sees.
 typedef struct Scope {
   Ir *ir;

@@ -27,20 +27,13 @@ static void require_kind(Matcher *m, LLVMValueRef kind, uint32_t wanted) {
   require(m, LLVMBuildICmp(ir->builder, LLVMIntEQ, kind, number, ""));
 }
 
-// Binds a pattern's parameters to the arguments at arg. A production with a weight is taken only after
-// others were tried, where values of this path are out of reach: its parameters live in memory.
+// Binds a pattern's parameters to the arguments at arg.
 static void bind(Matcher *m, const Pattern *pattern, LLVMValueRef arg) {
   Ir *ir = m->rewrite->scope.ir;
   for (uint32_t i = 0; i < ir->program->kinds[pattern->kind].arity; i++) {
     LLVMValueRef at = ir_advance(ir, ir->types.f64, arg, ir_int(ir, i));
     LLVMValueRef value = LLVMBuildLoad2(ir->builder, ir->types.f64, at, "");
-    Slot *slot = &m->slots[pattern->slot + i];
-    if (!m->production->weight) {
-      slot->value = value;
-      continue;
-    }
-    slot->address = ir_local(ir, ir->types.f64, 1, "neighbour");
-    LLVMBuildStore(ir->builder, value, slot->address);
+    slot_bind(ir, &m->slots[pattern->slot + i], value);
   }
 }
 

@@ -22,16 +22,42 @@ typedef struct Lottery {
   bool certain;  // one always joins
 } Lottery;
 
+// True if some statement assigns the slot.
+static bool assigns(const Actions *actions, uint32_t slot) {
+  for (size_t i = 0; i < actions->count; i++) {
+    const Action *action = &actions->at[i];
+    if (action->kind == ACTION_SET_LOCAL && action->slot == slot) return true;
+    if (assigns(&action->then, slot) || assigns(&action->otherwise, slot)) return true;
+  }
+  return false;
+}
+
+// Variables live in memory: local ones, parameters that a statement assigns, and parameters of the neighbours of a
+// production with a weight, which is taken only after others were tried, where values of its path are out of reach.
+static bool is_variable(const Production *production, uint32_t slot, uint32_t first, uint32_t arity) {
+  bool neighbour = slot < first || slot >= first + arity;
+  return slot >= production->parameters || (production->weight && neighbour) || assigns(&production->before, slot)
+      || assigns(&production->after, slot);
+}
+
+void slot_bind(Ir *ir, Slot *slot, LLVMValueRef value) {
+  if (slot->address)
+    LLVMBuildStore(ir->builder, value, slot->address);
+  else
+    slot->value = value;
+}
+
 static Slot *make_slots(Rewrite *rewrite, const Production *production) {
   Ir *ir = rewrite->scope.ir;
   Slot *slots = arena_array(ir->arena, production->parameters + (size_t)production->locals, sizeof *slots);
-  uint32_t first = production->strict.at[0].slot;
-  for (uint32_t i = 0; i < ir->program->kinds[rewrite->kind].arity; i++) slots[first + i].value = rewrite->args[i];
-  for (uint32_t i = 0; i < production->locals; i++) {
-    Slot *local = &slots[production->parameters + i];
-    local->address = ir_local(ir, ir->types.f64, 1, production->slot_names[production->parameters + i]);
-    LLVMBuildStore(ir->builder, ir_double(ir, 0), local->address);
+  uint32_t first = production->strict.at[0].slot, arity = ir->program->kinds[rewrite->kind].arity;
+  for (uint32_t i = 0; i < production->parameters + production->locals; i++) {
+    if (!is_variable(production, i, first, arity)) continue;
+    const char *name = production->slot_names[i];
+    slots[i].address = ir_local(ir, ir->types.f64, 1, name ? name : "");
+    LLVMBuildStore(ir->builder, ir_double(ir, 0), slots[i].address);
   }
+  for (uint32_t i = 0; i < arity; i++) slot_bind(ir, &slots[first + i], rewrite->args[i]);
   return slots;
 }
 

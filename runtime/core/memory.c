@@ -4,6 +4,7 @@
 
 #include "core/message.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -28,10 +29,24 @@ void lsys_memory_give(LsysMemory *memory, uint64_t bytes) {
   atomic_fetch_sub_explicit(&memory->used, bytes, memory_order_relaxed);
 }
 
+// A size for people: three digits, in the unit that fits.
+typedef struct SizeText {
+  char text[24];
+} SizeText;
+
+static SizeText size_text(uint64_t bytes) {
+  static const char *const units[] = {"bytes", "KiB", "MiB", "GiB", "TiB"};
+  double size = (double)bytes;
+  unsigned unit = 0;
+  for (; size >= 1000 && unit < 4; unit++) size /= 1024;
+  SizeText result;
+  snprintf(result.text, sizeof result.text, "%.3g %s", size, units[unit]);
+  return result;
+}
+
 void lsys_memory_refuse(const LsysMemory *memory, uint64_t bytes) {
-  double mega = 1 << 20;
-  lsys_error("out of memory: %.1f MiB are in use, %.1f MiB more are wanted, and --max-memory is %.1f MiB",
-             (double)atomic_load(&memory->used) / mega, (double)bytes / mega, (double)memory->limit / mega);
+  lsys_error("out of memory: %s are in use, %s more are wanted, and --max-memory is %s",
+             size_text(atomic_load(&memory->used)).text, size_text(bytes).text, size_text(memory->limit).text);
 }
 
 void *lsys_memory_alloc(LsysMemory *memory, size_t count, size_t size) {

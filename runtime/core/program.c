@@ -3,6 +3,7 @@
 #include "core/program.h"
 
 #include "core/derive.h"
+#include "core/fit.h"
 #include "core/formats.h"
 #include "core/growth.h"
 #include "core/message.h"
@@ -52,24 +53,27 @@ static bool add_reports(Outputs *outputs, const LsysSinkContext *context) {
       || add_sink(outputs, *context, lsys_sink_hash, LSYS_READS_WORD, outputs->screen);
 }
 
-static bool add_word(Outputs *outputs, const LsysSinkContext *context) {
+static bool add_word(Outputs *outputs, const LsysSinkContext *context, const LsysDerivation *derivation) {
   const LsysOptionValue *options = context->options->at;
   const LsysOptionValue *path = &options[LSYS_OPTION_OUTPUT], *name = &options[LSYS_OPTION_FORMAT];
   bool to_file = path->given && strcmp(path->text, "-") != 0;
   const LsysFormat *format = lsys_format_find(name->text, path->given ? path->text : "-");
+  bool whole = format && format->reads == LSYS_READS_WORD && !options[LSYS_OPTION_RANGE].given;
+  if (to_file && whole && !lsys_fit_disk(lsys_fit_modules(derivation), path->text)) return false;
   if (!format || (to_file && !(outputs->file = lsys_out_open(path->text)))) return false;
   return add_sink(outputs, *context, format->create, format->reads, to_file ? outputs->file : outputs->screen);
 }
 
 // Reports go to standard output; the word too and before them, unless it has a file or only reports were asked for.
-static bool open_outputs(Outputs *outputs, const LsysSinkContext *context) {
+static bool open_outputs(Outputs *outputs, const LsysSinkContext *context, const LsysDerivation *derivation) {
   const LsysOptionValue *options = context->options->at;
   bool counts = options[LSYS_OPTION_COUNTS].given;
   bool reports = counts || options[LSYS_OPTION_STATS].given || options[LSYS_OPTION_HASH].given;
   bool asked = options[LSYS_OPTION_OUTPUT].given || options[LSYS_OPTION_FORMAT].given;
   bool word = asked || !(reports || outputs->borrowed);
   outputs->screen = lsys_out_open("-");
-  if (!outputs->screen || (word && !add_word(outputs, context)) || !add_reports(outputs, context)) return false;
+  if (!outputs->screen || (word && !add_word(outputs, context, derivation)) || !add_reports(outputs, context))
+    return false;
   outputs->only_counts =
     counts && !options[LSYS_OPTION_RANGE].given && outputs->count == 1
     && !((context->grammar->flags & LSYS_GRAMMAR_HOMOMORPHISM) && options[LSYS_OPTION_HOMOMORPHISM].given);
@@ -135,7 +139,7 @@ bool lsys_program_run(const LsysGrammar *grammar, const LsysOptions *options, Ls
     lsys_derivation_close(&derivation);
     return well;
   }
-  well = well && open_outputs(&outputs, &context) && add_progress(&outputs, &context);
+  well = well && open_outputs(&outputs, &context, &derivation) && add_progress(&outputs, &context);
   well = well && derive_into(&derivation, &outputs);
   well = close_outputs(&outputs, well);
   lsys_derivation_close(&derivation);
