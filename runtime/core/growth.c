@@ -61,15 +61,16 @@ static bool print_row(LsysMemory *memory, LsysOut *out, const char *name, LsysBi
 // Adds up kinds with one symbol and the total, then prints. Destroys the counts.
 static bool print_counts(const LsysGrammar *grammar, LsysMemory *memory, LsysBig *counts, LsysOut *out) {
   LsysBig total = {0};
-  bool well = true;
+  uint32_t *first = lsys_count_firsts(grammar, memory);
+  bool well = first;
   for (uint32_t k = 0; well && k < grammar->kind_count; k++) {
-    uint32_t first = lsys_count_first(grammar, k);
     well = lsys_big_add_product(memory, &total, &counts[k], 1);
-    if (well && first != k) well = lsys_big_add_product(memory, &counts[first], &counts[k], 1);
+    if (well && first[k] != k) well = lsys_big_add_product(memory, &counts[first[k]], &counts[k], 1);
   }
   for (uint32_t k = 0; well && k < grammar->kind_count; k++)
-    if (lsys_count_first(grammar, k) == k) well = print_row(memory, out, grammar->kinds[k].symbol, &counts[k]);
+    if (first[k] == k) well = print_row(memory, out, grammar->kinds[k].symbol, &counts[k]);
   well = well && print_row(memory, out, "total", &total);
+  lsys_memory_free(memory, first, grammar->kind_count, sizeof *first);
   lsys_big_free(memory, &total);
   return well;
 }

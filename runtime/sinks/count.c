@@ -5,6 +5,7 @@
 #include "core/stream.h"
 #include "lsys/number.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum { LANES = 4 };  // neighbouring modules count in different tables, so that equal ones need not wait for each other
@@ -15,8 +16,9 @@ typedef struct CountSink {
   LsysMemory *memory;
   LsysOut *out;
   uint32_t axiom;
-  bool several;       // start words: each block gets a heading
-  bool sizes;         // --stats: how many bytes the packed word takes, too
+  bool several;  // start words: each block gets a heading
+  bool sizes;    // --stats: how many bytes the packed word takes, too
+  uint32_t *first;
   uint64_t counts[];  // LANES tables of kind_count each
 } CountSink;
 
@@ -24,10 +26,30 @@ bool lsys_count_heading(LsysOut *out, bool several, uint32_t axiom) {
   return !several || lsys_out_print(out, "axiom %u\n", axiom + 1);
 }
 
-uint32_t lsys_count_first(const LsysGrammar *grammar, uint32_t kind) {
-  uint32_t first = 0;
-  while (strcmp(grammar->kinds[first].symbol, grammar->kinds[kind].symbol)) first++;
-  return first;
+static int compare(const void *left, const void *right, void *data) {
+  const uint32_t *a = left, *b = right;
+  const LsysKind *kinds = ((const LsysGrammar *)data)->kinds;
+  int order = strcmp(kinds[*a].symbol, kinds[*b].symbol);
+  return order ? order : (*a > *b) - (*a < *b);
+}
+
+uint32_t *lsys_count_firsts(const LsysGrammar *grammar, LsysMemory *memory) {
+  uint32_t count = grammar->kind_count;
+  uint32_t *first = lsys_memory_alloc(memory, count, sizeof *first);
+  uint32_t *sorted = lsys_memory_alloc(memory, count, sizeof *sorted);
+  for (uint32_t k = 0; sorted && k < count; k++) sorted[k] = k;
+  if (first && sorted) {
+    qsort_r(sorted, count, sizeof *sorted, compare, (void *)grammar);
+    for (uint32_t i = 0; i < count; i++) {
+      const char *symbol = grammar->kinds[sorted[i]].symbol;
+      bool same = i && strcmp(grammar->kinds[sorted[i - 1]].symbol, symbol) == 0;
+      first[sorted[i]] = same ? first[sorted[i - 1]] : sorted[i];
+    }
+  }
+  lsys_memory_free(memory, sorted, count, sizeof *sorted);
+  if (sorted) return first;
+  lsys_memory_free(memory, first, count, sizeof *first);
+  return NULL;
 }
 
 static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
@@ -85,12 +107,11 @@ static bool end(LsysSink *sink) {
     for (uint32_t l = 1; l < LANES; l++) sum[k] += count->counts[l * kinds + k];
     total += sum[k];
     bytes += sum[k] * (lsys_symbol_width(grammar) + grammar->kinds[k].arity * sizeof(double));
-    uint32_t first = lsys_count_first(grammar, k);
-    if (first != k) sum[first] += sum[k];
+    if (count->first[k] != k) sum[count->first[k]] += sum[k];
   }
   bool well = lsys_count_heading(count->out, count->several, count->axiom);
   for (uint32_t k = 0; k < kinds; k++)
-    if (lsys_count_first(grammar, k) == k)
+    if (count->first[k] == k)
       well = lsys_out_print(count->out, "%s\t%llu\n", grammar->kinds[k].symbol, (unsigned long long)sum[k]);
   well = well && lsys_out_print(count->out, "total\t%llu\n", (unsigned long long)total);
   return well && (!count->sizes || lsys_out_print(count->out, "bytes\t%llu\n", (unsigned long long)bytes));
@@ -103,6 +124,7 @@ static bool finish(LsysSink *sink) {
 
 static void destroy(LsysSink *sink) {
   CountSink *count = (CountSink *)sink;
+  lsys_memory_free(count->memory, count->first, count->grammar->kind_count, sizeof *count->first);
   lsys_memory_free(count->memory, count, 1,
                    sizeof *count + (size_t)LANES * count->grammar->kind_count * sizeof *count->counts);
 }
@@ -124,5 +146,8 @@ LsysSink *lsys_sink_count(const LsysSinkContext *context) {
   count->out = context->out;
   count->sizes = context->options->at[LSYS_OPTION_STATS].given;
   count->several = context->grammar->axiom_count > 1 && !context->options->at[LSYS_OPTION_AXIOM].given;
-  return &count->sink;
+  count->first = lsys_count_firsts(context->grammar, context->memory);
+  if (count->first) return &count->sink;
+  destroy(&count->sink);
+  return NULL;
 }

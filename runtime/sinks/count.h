@@ -7,7 +7,8 @@
 // The line `axiom K` above the block of a start word, where there are several.
 bool lsys_count_heading(LsysOut *out, bool several, uint32_t axiom);
 
-// The first kind with the symbol of kind: its row counts all of them.
-uint32_t lsys_count_first(const LsysGrammar *grammar, uint32_t kind);
+// first[kind], the first kind with the same symbol: its row counts all of them. kind_count numbers, to be freed with
+// lsys_memory_free; NULL after printing why not.
+uint32_t *lsys_count_firsts(const LsysGrammar *grammar, LsysMemory *memory);
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "lsys/number.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static bool is_digit(char c) {
@@ -38,45 +39,67 @@ static size_t compound_length(const char *text, size_t size) {
   return at > first + 1 ? at : 0;
 }
 
+// ---- sorted names ---------------------------------------------------------------
+
+// As memcmp orders bytes, the shorter one first where one is the beginning of the other.
+static int compare(const void *left, const void *right) {
+  const LsysName *a = left, *b = right;
+  int order = memcmp(a->at, b->at, a->length < b->length ? a->length : b->length);
+  return order ? order : (a->length > b->length) - (a->length < b->length);
+}
+
+// The first name that is not before key.
+static size_t lower_bound(const LsysName *names, size_t count, LsysName key) {
+  size_t low = 0, high = count;
+  while (low < high) {
+    size_t middle = low + (high - low) / 2;
+    if (compare(&names[middle], &key) < 0)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+static bool begins(LsysName name, LsysName with) {
+  return name.length >= with.length && memcmp(name.at, with.at, with.length) == 0;
+}
+
+static bool contains(const LsysName *names, size_t count, LsysName key) {
+  size_t i = lower_bound(names, count, key);
+  return i < count && names[i].length == key.length && begins(names[i], key);
+}
+
 size_t lsys_speller_scan(const LsysSpeller *speller, const char *text, size_t size) {
   size_t length = longer(character_length(text, size), compound_length(text, size));
-  for (size_t i = 0; i < speller->name_count; i++) {
-    const LsysName *name = &speller->names[i];
-    if (name->length > length && name->length <= size && memcmp(name->at, text, name->length) == 0)
-      length = name->length;
-  }
+  for (size_t n = size < speller->longest ? size : speller->longest; n > length; n--)
+    if (contains(speller->names, speller->name_count, (LsysName){text, n})) return n;
   return length;
 }
 
 // ---- what needs care -----------------------------------------------------------
 
 // True if some kind's symbol begins like rest, or is the beginning of it.
-static bool can_continue(const LsysSpeller *speller, const char *rest, size_t size) {
-  for (uint32_t i = 0; i < speller->kind_count; i++) {
-    const LsysSpelling *kind = &speller->kinds[i];
-    if (memcmp(kind->symbol, rest, kind->length < size ? kind->length : size) == 0) return true;
-  }
+static bool can_continue(const LsysSpeller *speller, LsysName rest) {
+  size_t count = speller->kind_count, i = lower_bound(speller->symbols, count, rest);
+  if (i < count && begins(speller->symbols[i], rest)) return true;
+  for (size_t n = 1; n < rest.length; n++)
+    if (contains(speller->symbols, count, (LsysName){rest.at, n})) return true;
   return false;
 }
 
-static bool some_symbol_begins(const LsysSpeller *speller, bool (*how)(char)) {
-  for (uint32_t i = 0; i < speller->kind_count; i++)
-    if (how(speller->kinds[i].symbol[0])) return true;
-  return false;
-}
-
-static bool is_careful(const LsysSpeller *speller, const char *symbol, size_t length) {
-  size_t first = character_length(symbol, length);
-  if (strcmp(symbol, "?") == 0 && some_symbol_begins(speller, is_letter)) return true;
-  if (strcmp(symbol, "/") == 0 && can_continue(speller, "*", 1)) return true;
-  if (length == first && is_letter(symbol[0]) && can_continue(speller, "_", 1)) return true;
-  bool numbered = length > first + 1 && symbol[first] == '_' && is_digit(symbol[first + 1]);
-  if (numbered && some_symbol_begins(speller, is_digit)) return true;
-  for (size_t i = 0; i < speller->name_count; i++) {
-    const LsysName *name = &speller->names[i];
-    if (name->length > length && memcmp(name->at, symbol, length) == 0
-        && can_continue(speller, name->at + length, name->length - length))
-      return true;
+static bool is_careful(const LsysSpeller *speller, LsysName symbol) {
+  const char *at = symbol.at;
+  size_t length = symbol.length, first = character_length(at, length);
+  if (length == 1 && *at == '?' && speller->letter_begins) return true;
+  if (length == 1 && *at == '/' && can_continue(speller, (LsysName){"*", 1})) return true;
+  if (length == first && is_letter(*at) && can_continue(speller, (LsysName){"_", 1})) return true;
+  bool numbered = length > first + 1 && at[first] == '_' && is_digit(at[first + 1]);
+  if (numbered && speller->digit_begins) return true;
+  size_t i = lower_bound(speller->names, speller->name_count, symbol);
+  for (; i < speller->name_count && begins(speller->names[i], symbol); i++) {
+    LsysName rest = {speller->names[i].at + length, speller->names[i].length - length};
+    if (rest.length && can_continue(speller, rest)) return true;
   }
   return false;
 }
@@ -113,7 +136,8 @@ bool lsys_speller_open(LsysSpeller *speller, const LsysGrammar *grammar, LsysMem
   uint32_t count = grammar->kind_count;
   *speller = (LsysSpeller){.memory = memory, .kind_count = count, .longest = 1};
   speller->kinds = lsys_memory_alloc(memory, count, sizeof *speller->kinds);
-  if (!speller->kinds) return false;
+  speller->symbols = lsys_memory_alloc(memory, count, sizeof *speller->symbols);
+  if (!speller->kinds || !speller->symbols) return false;
   for (uint32_t i = 0; i < count; i++) {
     LsysSpelling *kind = &speller->kinds[i];
     kind->symbol = grammar->kinds[i].symbol;
@@ -122,17 +146,24 @@ bool lsys_speller_open(LsysSpeller *speller, const LsysGrammar *grammar, LsysMem
     kind->most = (uint32_t)longer(kind->length, LSYS_SHORT_SYMBOL) + 2 + kind->arity * (LSYS_NUMBER_SIZE + 1u);
     if (kind->length <= LSYS_SHORT_SYMBOL) memcpy(kind->padded, kind->symbol, kind->length);
     kind->empty_parentheses = !kind->arity && strcmp(kind->symbol, ",") == 0;
+    speller->symbols[i] = (LsysName){kind->symbol, kind->length};
+    speller->letter_begins |= is_letter(kind->symbol[0]);
+    speller->digit_begins |= is_digit(kind->symbol[0]);
   }
   if (!add_names(speller, grammar)) return false;
-  for (uint32_t i = 0; i < count; i++)
-    speller->kinds[i].careful =
-      !speller->kinds[i].arity && is_careful(speller, speller->kinds[i].symbol, speller->kinds[i].length);
+  qsort(speller->symbols, count, sizeof *speller->symbols, compare);
+  qsort(speller->names, speller->name_count, sizeof *speller->names, compare);
+  for (uint32_t i = 0; i < count; i++) {
+    LsysSpelling *kind = &speller->kinds[i];
+    kind->careful = !kind->arity && is_careful(speller, (LsysName){kind->symbol, kind->length});
+  }
   return true;
 }
 
 void lsys_speller_close(LsysSpeller *speller) {
   lsys_memory_free(speller->memory, speller->kinds, speller->kind_count, sizeof *speller->kinds);
   lsys_memory_free(speller->memory, speller->names, speller->name_room, sizeof *speller->names);
+  lsys_memory_free(speller->memory, speller->symbols, speller->kind_count, sizeof *speller->symbols);
   speller->kinds = NULL;
-  speller->names = NULL;
+  speller->names = speller->symbols = NULL;
 }

@@ -28,9 +28,11 @@ typedef struct LsysSpeller {
   LsysMemory *memory;
   LsysSpelling *kinds;
   uint32_t kind_count;
-  LsysName *names;  // of kinds, declared, and of the turtle
+  LsysName *symbols;  // of the kinds, sorted
+  LsysName *names;    // of kinds, declared, and of the turtle, longer than a byte, sorted
   size_t name_count, name_room;
-  size_t longest;  // bytes of a name
+  size_t longest;                    // bytes of a name
+  bool letter_begins, digit_begins;  // some kind's symbol
 } LsysSpeller;
 
 // False after printing why not; closed in either case.
