@@ -1,6 +1,7 @@
 // message.c -- messages on standard error, and the nearest spelling.
 #include "core/message.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -78,7 +79,9 @@ const char *lsys_nearest(const char *word, const char *const *candidates, unsign
   const char *best = NULL;
   unsigned least = (unsigned)strlen(word) / 3 + 2;  // the first distance that is too far
   for (unsigned i = 0; i < count; i++) {
-    unsigned d = distance(word, candidates[i]);
+    size_t length = strlen(word);
+    bool begins = length > 1 && strncmp(word, candidates[i], length) == 0;
+    unsigned d = begins ? 1 : distance(word, candidates[i]);
     if (d < least) least = d, best = candidates[i];
   }
   return best;

@@ -167,6 +167,7 @@ static void options(void **state) {
   (void)state;
   refuse(&algae, "", "how many steps?");
   refuse(&algae, "--coutn", "did you mean --count?");
+  refuse(&algae, "--thre 2", "did you mean --threads?");
   refuse(&algae, "-n", "wants STEPS");
   refuse(&algae, "-n x", "a whole number");
   refuse(&algae, "-n 1 --format txet", "did you mean 'text'?");
