@@ -286,7 +286,7 @@ Verdict engines_compare(const Engines *engines, const FuzzGrammar *grammar, bool
 
 Verdict engines_compare_apart(const Engines *engines, const FuzzGrammar *grammar, bool thorough, Lengths *lengths,
                               bool loud) {
-  enum { SECONDS = 20 };
+  enum { SECONDS = 60 };
   fflush(NULL);
   pid_t child = fork();
   if (child == 0) {

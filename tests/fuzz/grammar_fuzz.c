@@ -15,7 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { MOST_JOBS = 64, LATEST = 20, MOST_FAILURES = 10 };
+enum { MOST_JOBS = 64, LATEST = 60, MOST_FAILURES = 10 };
 static const double LONGEST = 20000;  // modules of a word
 
 typedef struct Options {
