@@ -101,7 +101,37 @@ static bool act(LsysTurtle *t, Cursor *c, PlainAct what) {
   return well;
 }
 
-size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, size_t count, bool *ok) {
+static bool is_finite(double x) {
+  return x - x == 0;
+}
+
+// What takes an argument. False: act.c must see to it.
+static inline bool act_by_arg(const LsysTurtle *t, Cursor *c, const PlainKind *k, double x, const LsysPen *pen) {
+  uint32_t turn;
+  switch ((PlainAct)k->act) {
+  case PLAIN_DRAW_ARG:
+    if (!is_finite(x)) return false;
+    c->at += t->directions.at[c->heading] * x;
+    put_place(c->out++, c->at);
+    return true;
+  case PLAIN_JUMP_ARG:
+    if (!is_finite(x)) return false;
+    c->at += t->directions.at[c->heading] * x;
+    jump(t, c, pen);
+    return true;
+  case PLAIN_TURN_ARG:
+    if (!is_finite(x) || !directions_find(&t->directions, k->move * x, &turn)) return false;
+    c->heading += turn;
+    if (c->heading >= t->directions.count) c->heading -= t->directions.count;
+    return true;
+  case PLAIN_SKIP:
+    return true;
+  default:
+    return false;
+  }
+}
+
+size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, const double **arg, size_t count, bool *ok) {
   const PlainKind *kinds = t->plain_kind;
   const Pair *directions = t->directions.at;
   const uint32_t circle = t->directions.count;
@@ -123,6 +153,9 @@ size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, size_t count, bool *
     } else if (k->act == PLAIN_JUMP) {
       c.at += directions[c.heading] * k->move;
       jump(t, &c, &pen);
+    } else if (k->skip) {
+      if (!act_by_arg(t, &c, k, **arg, &pen)) break;
+      *arg += k->skip;
     } else if (k->act == PLAIN_OTHER) {
       break;
     } else if (!small || !(k->act == PLAIN_PUSH ? push(t, &c) : pop(t, &c, &pen))) {

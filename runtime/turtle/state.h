@@ -59,13 +59,24 @@ typedef struct State {
 enum { STATE_SMALL = offsetof(State, z), STATE_MEDIUM = offsetof(State, node) };
 
 // What the fast loop does for a kind of modules.
-typedef enum PlainAct { PLAIN_GO, PLAIN_PUSH, PLAIN_POP, PLAIN_JUMP, PLAIN_OTHER } PlainAct;
+typedef enum PlainAct {
+  PLAIN_GO,  // turns, moves and draws without arguments; nothing
+  PLAIN_PUSH,
+  PLAIN_POP,
+  PLAIN_JUMP,      // moves without drawing
+  PLAIN_DRAW_ARG,  // as far as the argument says
+  PLAIN_JUMP_ARG,
+  PLAIN_TURN_ARG,
+  PLAIN_SKIP,  // nothing, but has arguments
+  PLAIN_OTHER,
+} PlainAct;
 
 typedef struct PlainKind {
-  double move;    // in lattice units
+  double move;    // in lattice units; -1: PLAIN_TURN_ARG to the right
   uint32_t turn;  // indices of the table of directions
   uint8_t draws;  // 1 if the move is drawn
   uint8_t act;    // PlainAct
+  uint16_t skip;  // number of arguments
 } PlainKind;
 
 typedef struct KindInfo {
@@ -145,8 +156,8 @@ static inline bool turtle_is_plain(const LsysTurtle *t) {
       && !t->splining;
 }
 
-// plain.c: reads modules while they are plain; returns how many. Sets *ok to false to stop.
-size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, size_t count, bool *ok);
+// plain.c: reads modules while they are plain, and their arguments; returns how many. Sets *ok to false to stop.
+size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, const double **arg, size_t count, bool *ok);
 
 // turtle.c
 typedef enum TurtleWarning {

@@ -135,34 +135,62 @@ static uint32_t surface_of(const LsysGrammar *g, const char *symbol) {
   return NO_SURFACE;
 }
 
+// What the fast loop does for a kind with arguments. F(l,w) has a width of its own.
+static void set_plain_arg(const LsysTurtle *t, PlainKind *p, const LsysKind *kind) {
+  const double left = t->clockwise ? -1 : 1;
+  switch ((LsysTurtleOp)kind->turtle) {
+  case LSYS_TURTLE_NONE:
+    p->act = PLAIN_SKIP;
+    break;
+  case LSYS_TURTLE_DRAW:
+  case LSYS_TURTLE_DRAW_NO_VERTEX:
+    p->act = kind->arity == 2 ? PLAIN_OTHER : PLAIN_DRAW_ARG;
+    break;
+  case LSYS_TURTLE_MOVE:
+  case LSYS_TURTLE_MOVE_NO_VERTEX:
+    p->act = PLAIN_JUMP_ARG;
+    break;
+  case LSYS_TURTLE_LEFT:
+  case LSYS_TURTLE_RIGHT:
+    p->act = PLAIN_TURN_ARG;
+    p->move = kind->turtle == LSYS_TURTLE_LEFT ? left : -left;
+    break;
+  default:
+    break;
+  }
+}
+
 static void set_kind(LsysTurtle *t, uint32_t i, const LsysKind *kind) {
   uint32_t surface = surface_of(t->run->grammar, kind->symbol);
   t->kind[i] =
     (KindInfo){kind->turtle, (uint8_t)(kind->arity > 255 ? 255 : kind->arity), kind->arity, KEEP_COLOUR, surface};
   PlainKind *p = &t->plain_kind[i];
-  *p = (PlainKind){.act = PLAIN_OTHER};
+  *p = (PlainKind){.act = PLAIN_OTHER, .skip = kind->arity};
   const uint32_t n = t->directions.count, angle = t->directions.angle, back = (n - angle) % n;
-  if (kind->arity) return;  // its arguments must be read, or skipped
+  if (kind->arity) {
+    set_plain_arg(t, p, kind);
+    return;
+  }
   switch ((LsysTurtleOp)kind->turtle) {
   case LSYS_TURTLE_NONE:
     p->act = PLAIN_GO;
     break;
   case LSYS_TURTLE_DRAW:
   case LSYS_TURTLE_DRAW_NO_VERTEX:
-    *p = (PlainKind){t->step, 0, 1, PLAIN_GO};
+    *p = (PlainKind){t->step, 0, 1, PLAIN_GO, 0};
     break;
   case LSYS_TURTLE_MOVE:
   case LSYS_TURTLE_MOVE_NO_VERTEX:
-    *p = (PlainKind){t->step, 0, 0, PLAIN_JUMP};
+    *p = (PlainKind){t->step, 0, 0, PLAIN_JUMP, 0};
     break;
   case LSYS_TURTLE_LEFT:
-    *p = (PlainKind){0, t->clockwise ? back : angle, 0, PLAIN_GO};
+    *p = (PlainKind){0, t->clockwise ? back : angle, 0, PLAIN_GO, 0};
     break;
   case LSYS_TURTLE_RIGHT:
-    *p = (PlainKind){0, t->clockwise ? angle : back, 0, PLAIN_GO};
+    *p = (PlainKind){0, t->clockwise ? angle : back, 0, PLAIN_GO, 0};
     break;
   case LSYS_TURTLE_AROUND:
-    *p = (PlainKind){0, n / 2, 0, PLAIN_GO};
+    *p = (PlainKind){0, n / 2, 0, PLAIN_GO, 0};
     break;
   case LSYS_TURTLE_PUSH:
     p->act = PLAIN_PUSH;
@@ -316,7 +344,7 @@ bool lsys_turtle_take(LsysTurtle *t, const LsysWord *part) {
     if (t->points + 4 > BATCH_POINTS && !turtle_flush(t)) return false;
     if (turtle_is_plain(t)) {
       bool ok = true;
-      size_t plain = turtle_read_plain(t, part->sym + i, part->nsym - i, &ok);
+      size_t plain = turtle_read_plain(t, part->sym + i, &arg, part->nsym - i, &ok);
       if (!ok) return false;
       i += plain;
       if (plain) continue;
