@@ -13,6 +13,7 @@ typedef struct LsysSinkContext {
   const LsysOptions *options;
   LsysMemory *memory;
   LsysOut *out;
+  struct LsysFilm *film;  // the picture is one of several; NULL: it is alone
 } LsysSinkContext;
 
 // NULL after printing why not.

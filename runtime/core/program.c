@@ -8,6 +8,7 @@
 #include "core/growth.h"
 #include "core/message.h"
 #include "core/signals.h"
+#include "sinks/film.h"
 #include "sinks/homomorphism.h"
 #include "sinks/progress.h"
 #include "sinks/shared.h"
@@ -127,15 +128,16 @@ static void report_cost(const struct timespec *started) {
 bool lsys_program_run(const LsysGrammar *grammar, const LsysOptions *options, LsysSink *own) {
   const LsysOptionValue *limit = &options->at[LSYS_OPTION_MAX_MEMORY];
   LsysMemory memory = {.limit = limit->given ? limit->whole : lsys_memory_default()};
-  LsysSinkContext context = {grammar, options, &memory, NULL};
+  LsysSinkContext context = {.grammar = grammar, .options = options, .memory = &memory};
   LsysDerivation derivation;
   Outputs outputs = {.sinks = {own}, .count = own != NULL, .borrowed = own != NULL};
   lsys_message_quiet(options->at[LSYS_OPTION_QUIET].given);
   struct timespec started;
   clock_gettime(CLOCK_MONOTONIC, &started);
   bool well = lsys_derivation_open(&derivation, grammar, options, &memory);
-  if (well && options->at[LSYS_OPTION_SHARED].given) {
-    well = lsys_shared_run(&derivation, &context);
+  bool film = options->at[LSYS_OPTION_FRAMES].given || options->at[LSYS_OPTION_SVG_ANIMATE].given;
+  if (well && (film || options->at[LSYS_OPTION_SHARED].given)) {
+    well = (film ? lsys_film_run : lsys_shared_run)(&derivation, &context);
     lsys_derivation_close(&derivation);
     return well;
   }

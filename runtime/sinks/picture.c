@@ -6,12 +6,14 @@
 
 #include "core/message.h"
 #include "sinks/digits.h"
+#include "sinks/film.h"
 #include "sinks/layout.h"
 #include "sinks/view.h"
 #include "turtle/turtle.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { BATCH = 1024 };  // points handed on at once
 
@@ -206,10 +208,45 @@ static bool label(LsysGeometry *geometry, const LsysVec3 *at, const char *text, 
 
 // ---- passes --------------------------------------------------------------
 
+// Keeps what a film's first picture, which is its last step, found for the others. False if memory ran out.
+static bool keep_for_film(const Picture *p, LsysFilm *film) {
+  uint32_t figures = p->layout.figures;
+  if (!lsys_layout_create(&film->layout, figures)) return false;
+  LsysFigure *figure = film->layout.figure;
+  film->layout = p->layout;
+  film->layout.figure = figure;
+  film->eye = calloc((size_t)figures + 1, sizeof *film->eye);
+  if (!film->eye) {
+    lsys_error("out of memory");
+    return false;
+  }
+  memcpy(figure, p->layout.figure, figures * sizeof *figure);
+  memcpy(film->eye, p->eye, figures * sizeof *film->eye);
+  film->page = p->page;
+  film->laid_out = true;
+  return true;
+}
+
+// The others take it over, but for how many segments they have themselves.
+static void take_from_film(Picture *p, const LsysFilm *film) {
+  p->page = film->page;
+  p->layout.scale = film->layout.scale;
+  p->layout.unit = film->layout.unit;
+  for (uint32_t i = 0; i < p->layout.figures; i++) {
+    uint64_t segments = p->layout.figure[i].segments;
+    p->layout.figure[i] = film->layout.figure[i];
+    p->layout.figure[i].segments = segments;
+    p->eye[i] = film->eye[i];
+  }
+}
+
 static bool open_page(Picture *p) {
+  LsysFilm *film = p->options.film;
   p->page.solid = p->solid;
   lsys_layout_fit(&p->layout, &p->options, &p->page);
   if (lsys_turtle_widths_are_lengths(p->turtle)) p->layout.unit = p->layout.scale;
+  if (film && film->laid_out) take_from_film(p, film);
+  if (film && !film->laid_out && !keep_for_film(p, film)) return false;
   p->open = true;
   return p->canvas->open(p->canvas, &p->page);
 }

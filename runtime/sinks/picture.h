@@ -19,6 +19,7 @@ typedef struct LsysPictureOptions {
     elevation;  // of the camera, in degrees; nan: from before, or a little from the side for figures in space
   bool perspective;
   LsysColours colours;
+  struct LsysFilm *film;  // that it is a picture of; NULL
 } LsysPictureOptions;
 
 // 1000 pixels, white, anti-aliased.

@@ -93,10 +93,14 @@ bool lsys_picture_options(const LsysOptions *given, LsysPictureOptions *options)
 
 LsysSink *lsys_sink_svg(const LsysSinkContext *context) {
   LsysPictureOptions options;
-  return lsys_picture_options(context->options, &options) ? lsys_svg_create(context->out, &options) : NULL;
+  if (!lsys_picture_options(context->options, &options)) return NULL;
+  options.film = context->film;
+  return lsys_svg_create(context->out, &options);
 }
 
 LsysSink *lsys_sink_png(const LsysSinkContext *context) {
   LsysPictureOptions options;
-  return lsys_picture_options(context->options, &options) ? lsys_png_create(context->out, &options) : NULL;
+  if (!lsys_picture_options(context->options, &options)) return NULL;
+  options.film = context->film;
+  return lsys_png_create(context->out, &options);
 }

@@ -3,6 +3,7 @@
 // Source: SVG 1.1, sections 8.3 (path data) and 11 (painting).
 #include "core/message.h"
 #include "core/out.h"
+#include "sinks/film.h"
 #include "sinks/picture.h"
 
 #include <math.h>
@@ -17,6 +18,7 @@ enum {
 typedef struct Svg {
   LsysCanvas canvas;
   LsysOut *out;
+  LsysFilm *film;  // animated; NULL: one picture
   int decimals;
   double parts;  // of a pixel: 10^decimals
   bool group, path;
@@ -79,19 +81,38 @@ static char *put_pair(const Svg *s, char *to, int64_t x, int64_t y) {
   return put_number(to, y, s->decimals);
 }
 
+// A group that is seen for its part of the film, the last step for three parts, over and over.
+static bool begin_frame(Svg *s) {
+  const LsysFilm *film = s->film;
+  double parts = (double)film->steps + 3, from = (double)film->step / parts;
+  double to = film->step == film->steps ? 1 : ((double)film->step + 1) / parts;
+  bool first = film->step == 0, last = film->step == film->steps;
+  lsys_out_print(s->out,
+                 "<g visibility=\"hidden\"><animate attributeName=\"visibility\" calcMode=\"discrete\" "
+                 "repeatCount=\"indefinite\" dur=\"%gs\" values=\"%svisible%s\" keyTimes=\"0",
+                 parts * film->seconds, first ? "" : "hidden;", last ? "" : ";hidden");
+  if (!first) lsys_out_print(s->out, ";%.6g", from);
+  if (!last) lsys_out_print(s->out, ";%.6g", to);
+  return lsys_out_print(s->out, "\"/>\n");
+}
+
 static bool open_page(LsysCanvas *canvas, const LsysPage *page) {
   Svg *s = (Svg *)canvas;
   // A hundredth of a pixel, finer where segments are that short.
   s->decimals = page->detail >= 1 ? 2 : page->detail >= 0.1 ? 3 : 4;
   s->parts = pow(10, s->decimals);
+  if (s->film && s->film->begun) return begin_frame(s);
   lsys_out_print(s->out,
                  "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%u\" height=\"%u\" viewBox=\"0 0 %u %u\">\n",
                  page->width, page->height, page->width, page->height);
   if (!page->transparent)
     lsys_out_print(s->out, "<rect width=\"%u\" height=\"%u\" fill=\"#%06x\"/>\n", page->width, page->height,
                    page->background);
-  return lsys_out_print(s->out, "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"%s>\n",
-                        page->antialias ? "" : " shape-rendering=\"crispEdges\"");
+  lsys_out_print(s->out, "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"%s>\n",
+                 page->antialias ? "" : " shape-rendering=\"crispEdges\"");
+  if (!s->film) return lsys_out_write(s->out, "", 0);
+  s->film->begun = true;
+  return begin_frame(s);
 }
 
 static bool begin_path(Svg *s, const LsysPoint *p) {
@@ -164,7 +185,9 @@ static bool fill(LsysCanvas *canvas, const LsysPoint *point, const LsysVec3 *nor
 
 static bool close_page(LsysCanvas *canvas) {
   Svg *s = (Svg *)canvas;
-  return end_group(s) && lsys_out_print(s->out, "</g>\n</svg>\n");
+  if (!end_group(s)) return false;
+  if (s->film && !lsys_out_print(s->out, "</g>\n")) return false;
+  return (s->film && s->film->step > 0) || lsys_out_print(s->out, "</g>\n</svg>\n");
 }
 
 static void destroy(LsysCanvas *canvas) {
@@ -179,6 +202,7 @@ LsysSink *lsys_svg_create(LsysOut *out, const LsysPictureOptions *options) {
   }
   s->canvas = (LsysCanvas){open_page, line, fill, close_page, destroy};
   s->out = out;
+  if (options->film && options->film->animate) s->film = options->film;
   LsysCanvas *canvas = lsys_canvas_sorted(&s->canvas);
   return canvas ? lsys_picture_create(canvas, options) : NULL;
 }

@@ -7,7 +7,6 @@
 #include "turtle/actions.h"
 
 #include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -76,7 +76,8 @@ static bool derive(const LsysGrammar *grammar, Collector *into) {
   if (!derive_into(grammar, &options, &memory, &into->sink)) return false;
   into->lengths.word = into->lengths.figure = into->sym.count / into->width;
   if (!(grammar->flags & LSYS_GRAMMAR_HOMOMORPHISM)) return true;
-  LsysSink *figure = lsys_sink_homomorphism(&(LsysSinkContext){grammar, &options, &memory, NULL}, &into->sink);
+  LsysSink *figure =
+    lsys_sink_homomorphism(&(LsysSinkContext){.grammar = grammar, .options = &options, .memory = &memory}, &into->sink);
   bool well = figure && derive_into(grammar, &options, &memory, figure);
   if (figure) figure->destroy(figure);
   into->lengths.figure = into->sym.count / into->width - into->lengths.word;
