@@ -48,7 +48,7 @@ typedef struct Result {
   size_t size;      // of out
 } Result;
 
-enum { PROCESS_SECONDS = 120 };
+enum { PROCESS_SECONDS = 400 };
 
 // Runs argv in folder (NULL: here) without standard input. merge: standard error goes where standard output goes.
 Result process_run(Arena *arena, const Strings *argv, const char *folder, bool merge);
