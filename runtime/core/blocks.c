@@ -106,7 +106,7 @@ static bool build(LsysBlocks *blocks, LsysWorker *worker, LsysWriter *writer, Ca
 static bool allocate(LsysBlocks *blocks, LsysMemory *memory, const LsysGrammar *grammar) {
   uint32_t kinds = blocks->kind_count = grammar->kind_count;
   blocks->width = lsys_symbol_width(grammar);
-  blocks->block = lsys_memory_alloc(memory, kinds, sizeof *blocks->block);
+  blocks->block = lsys_memory_alloc(memory, kinds, sizeof(LsysBlock *));
   blocks->levels = lsys_memory_alloc(memory, kinds, sizeof *blocks->levels);
   blocks->capacities = lsys_memory_alloc(memory, kinds, sizeof *blocks->capacities);
   blocks->closed = lsys_memory_alloc(memory, kinds, sizeof *blocks->closed);
@@ -157,7 +157,7 @@ void lsys_blocks_free(LsysBlocks *blocks, LsysMemory *memory) {
     }
     lsys_memory_free(memory, blocks->block[kind], blocks->capacities[kind], sizeof(LsysBlock));
   }
-  lsys_memory_free(memory, blocks->block, blocks->kind_count, sizeof *blocks->block);
+  lsys_memory_free(memory, blocks->block, blocks->kind_count, sizeof(LsysBlock *));
   lsys_memory_free(memory, blocks->levels, blocks->kind_count, sizeof *blocks->levels);
   lsys_memory_free(memory, blocks->capacities, blocks->kind_count, sizeof *blocks->capacities);
   lsys_memory_free(memory, blocks->closed, blocks->kind_count, sizeof *blocks->closed);

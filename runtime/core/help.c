@@ -128,7 +128,7 @@ bool lsys_help_subject(FILE *to, const char *subject) {
     {"operators", operators}, {"settings", settings},
   };
   for (size_t i = 0; i < sizeof subjects / sizeof *subjects; i++) {
-    if (strcmp(subjects[i].name, subject)) continue;
+    if (strcmp(subjects[i].name, subject) != 0) continue;
     subjects[i].print(to);
     return true;
   }

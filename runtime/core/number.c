@@ -164,20 +164,14 @@ static char *layout(char *to, Decimal d) {
   return to + count + 1;
 }
 
-static char *text(char *to, const char *word) {
-  size_t length = strlen(word);
-  memcpy(to, word, length);
-  return to + length;
-}
-
 char *lsys_number_print(char *to, double x) {
   uint64_t bits;
   memcpy(&bits, &x, sizeof bits);
   uint64_t fraction = bits & ((UINT64_C(1) << 52) - 1);
   int exponent = (int)(bits >> 52 & 2047);
-  if (exponent == 2047 && fraction) return text(to, "nan");
+  if (exponent == 2047 && fraction) return stpcpy(to, "nan");
   if (bits >> 63) *to++ = '-';
-  if (exponent == 2047) return text(to, "inf");
+  if (exponent == 2047) return stpcpy(to, "inf");
   double magnitude = bits >> 63 ? -x : x;
   if (magnitude < 0x1p53 && magnitude == (double)(uint64_t)magnitude) return lsys_whole_print(to, (uint64_t)magnitude);
   pthread_once(&powers_once, powers_make);

@@ -40,6 +40,7 @@ static bool store(LsysOptions *options, const LsysOptionInfo *info, const char *
   char *stop;
   value->given = true;
   value->text = text;
+  if (!text) return true;
   switch (info->type) {
   case LSYS_OPTION_WHOLE:
     if (!parse_whole(text, &value->whole, &end) || *end) wanted = "a whole number from 0 to 18446744073709551615";
@@ -89,7 +90,7 @@ static const LsysOptionInfo *find(const char *argument, const char **attached) {
     const LsysOptionInfo *info = &lsys_options[i];
     size_t length = is_long ? strlen(info->name) : 0;
     if (!is_long && info->letter != argument[1]) continue;
-    if (is_long && (strncmp(argument + 2, info->name, length) || (argument[2 + length] & ~'='))) continue;
+    if (is_long && (strncmp(argument + 2, info->name, length) != 0 || (argument[2 + length] & ~'='))) continue;
     const char *rest = argument + 2 + length;
     if (*rest) *attached = is_long ? rest + 1 : rest;
     return info;

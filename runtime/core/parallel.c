@@ -351,7 +351,7 @@ static bool finish(LsysParallel *p) {
   return true;
 }
 
-static bool open(LsysParallel *p, LsysWorker *worker, LsysSink *sink, unsigned threads) {
+static bool set_up(LsysParallel *p, LsysWorker *worker, LsysSink *sink, unsigned threads) {
   LsysMemory *memory = worker->memory;
   p->sink = sink;
   p->splitter = (LsysSink){.passes = 1, .take = take_frontier};
@@ -377,7 +377,7 @@ bool lsys_parallel_run(LsysParallel **place, LsysWorker *worker, const LsysWord 
   pthread_mutex_init(&p->lock, NULL);
   pthread_cond_init(&p->changed, NULL);
   p->last_steps = lsys_cut_choose(worker, word, sink->prepare != NULL, &p->modules_a_task);
-  if (!p->last_steps || !open(p, worker, sink, threads)) return false;
+  if (!p->last_steps || !set_up(p, worker, sink, threads)) return false;
   if (setjmp(p->frontier.stop)) return false;
   LsysStream *out = &p->frontier_writer.stream;
   worker->run.grammar->expand(out, word, p->frontier.run.steps);
