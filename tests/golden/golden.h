@@ -48,7 +48,8 @@ typedef struct Result {
   size_t size;      // of out
 } Result;
 
-enum { PROCESS_SECONDS = 400 };
+// What a process may take of a processor, and by the clock, which other work slows down.
+enum { PROCESS_SECONDS = 100, WALL_SECONDS = 900 };
 
 // Runs argv in folder (NULL: here) without standard input. merge: standard error goes where standard output goes.
 Result process_run(Arena *arena, const Strings *argv, const char *folder, bool merge);

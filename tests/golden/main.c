@@ -1,6 +1,6 @@
 // main.c -- finds the cases, runs them side by side, adds up.
 //
-//   golden --lsysc PATH [--bless] [-j N] [--only TEXT] FILE-OR-FOLDER...
+//   golden --lsysc PATH [--bless] [-j N] [--only TEXT] [--skip TEXT] FILE-OR-FOLDER...
 //
 // Each case is run by a process of its own, which writes its counts and its
 // report into a file that the parent prints when the case has ended.
@@ -16,7 +16,7 @@
 
 typedef struct Runner {
   Arena *arena;
-  const char *lsysc, *only;
+  const char *lsysc, *only, *skip;
   bool bless;
   long jobs;
   Strings cases;
@@ -77,8 +77,8 @@ static void find(Runner *runner, const char *path) {
     exit(2);
   }
   if (!S_ISDIR(status.st_mode)) {
-    if (function_of(path) && (!runner->only || strstr(path, runner->only)))
-      *VEC_PUSH(runner->arena, &runner->cases) = path;
+    bool wanted = (!runner->only || strstr(path, runner->only)) && !(runner->skip && strstr(path, runner->skip));
+    if (wanted && function_of(path)) *VEC_PUSH(runner->arena, &runner->cases) = path;
     return;
   }
   struct dirent **entries;
@@ -204,13 +204,15 @@ int main(int argc, char **argv) {
       runner.lsysc = absolute(runner.arena, argv[++i]);
     else if (strcmp(argv[i], "--only") == 0 && more)
       runner.only = argv[++i];
+    else if (strcmp(argv[i], "--skip") == 0 && more)
+      runner.skip = argv[++i];
     else if (strcmp(argv[i], "-j") == 0 && more)
       runner.jobs = atol(argv[++i]);
     else
       *VEC_PUSH(runner.arena, &roots) = absolute(runner.arena, argv[i]);
   }
   if (!runner.lsysc || roots.count == 0 || runner.jobs < 1) {
-    fputs("usage: golden --lsysc PATH [--bless] [-j N] [--only TEXT] FILE-OR-FOLDER...\n", stderr);
+    fputs("usage: golden --lsysc PATH [--bless] [-j N] [--only TEXT] [--skip TEXT] FILE-OR-FOLDER...\n", stderr);
     return 2;
   }
   set_environment(runner.arena, runner.lsysc);

@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -17,6 +18,7 @@ static void child(const Strings *argv, const char *folder, int out, int err) {
   int null = open("/dev/null", O_RDONLY);
   if (dup2(null, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0) _exit(127);
   if (folder && chdir(folder) != 0) _exit(127);
+  setrlimit(RLIMIT_CPU, &(struct rlimit){PROCESS_SECONDS, PROCESS_SECONDS + 5});
   setpgid(0, 0);  // so that a process that hangs is ended with all that it started
   execvp(argv->at[0], (char *const *)argv->at);
   fprintf(stderr, "cannot run %s: %s\n", argv->at[0], strerror(errno));
@@ -47,7 +49,7 @@ Result process_run(Arena *arena, const Strings *argv, const char *folder, bool m
   Result result = {0};
   Bytes text[2] = {{0}, {0}};
   struct pollfd files[2] = {{.fd = out[0], .events = POLLIN}, {.fd = err[0], .events = POLLIN}};
-  time_t end = time(NULL) + PROCESS_SECONDS;
+  time_t end = time(NULL) + WALL_SECONDS;
   while (files[0].fd >= 0 || files[1].fd >= 0) {
     if (poll(files, 2, milliseconds_left(end)) == 0) {
       result.late = true;
@@ -59,6 +61,7 @@ Result process_run(Arena *arena, const Strings *argv, const char *folder, bool m
   close(out[0]), close(err[0]);
   int status;
   waitpid(pid, &status, 0);
+  result.late |= WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
   result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   result.size = text[0].count;
   *VEC_PUSH(arena, &text[0]) = '\0';
