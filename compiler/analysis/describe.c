@@ -82,19 +82,6 @@ static size_t larger(size_t a, size_t b) {
   return a > b ? a : b;
 }
 
-// Room for one successor, and for one module that stays.
-static void describe_room(const Program *program, const Facts *facts, LsysGrammar *grammar) {
-  size_t arity = 0;
-  bool keys = false;
-  for (size_t k = 0; k < program->kind_count; k++) {
-    arity = larger(arity, program->kinds[k].arity);
-    keys |= facts->kinds[k].key;
-  }
-  grammar->room_sym = (uint32_t)larger(1, facts->longest_successor);
-  grammar->room_arg = (uint32_t)larger(arity, facts->most_arguments);
-  grammar->room_key = keys ? grammar->room_sym : 0;
-}
-
 static uint32_t homomorphism_flags(const Program *program) {
   uint32_t flags = 0;
   for (size_t i = 0; i < program->lsystem_count; i++) {
@@ -182,7 +169,7 @@ LsysGrammar *describe(Arena *arena, const Program *program, const Facts *facts) 
   describe_surfaces(arena, program, grammar);
   grammar->value_count = (uint32_t)program->total_values;
   grammar->seed = program->seed;
-  describe_room(program, facts, grammar);
+  grammar->room_sym = 1;  // the interpreter writes module by module
   describe_contexts(arena, program, facts, grammar);
   grammar->growth = facts->growth;
   return grammar;

@@ -32,7 +32,7 @@ static void read(Ir *ir, const Reader *reader, uint32_t arity, bool keyed, Deriv
 static void rewrite_module(Rewrite *rewrite, Reader *reader, KindId kind) {
   Ir *ir = rewrite->scope.ir;
   uint32_t arity = ir->program->kinds[kind].arity;
-  bool keyed = ir->facts->kinds[kind].key;
+  bool keyed = walk_has_key(rewrite, kind);
   Derived module = {.kind = kind};
   read(ir, reader, arity, keyed, &module);
   LLVMValueRef *values = arena_array(ir->arena, arity + (size_t)3, sizeof *values);
@@ -40,7 +40,8 @@ static void rewrite_module(Rewrite *rewrite, Reader *reader, KindId kind) {
   values[n++] = rewrite->out;
   values[n++] = rewrite->way == WAY_EXPAND ? rewrite->steps : rewrite->depth;
   for (uint32_t i = 0; i < arity; i++) values[n++] = module.args[i];
-  if (keyed) values[n++] = rewrite->way == WAY_INTERPRET ? image_key(ir, 0, module.key) : module.key;
+  if (ir->facts->kinds[kind].key)
+    values[n++] = rewrite->way == WAY_INTERPRET ? image_key(ir, 0, module.key) : module.key;
   ir_call(ir, expand_function(ir, rewrite->way, 0, kind), values, n);
   leave(ir, reader, arity, keyed);
 }
@@ -50,8 +51,10 @@ static void copy_module(Rewrite *rewrite, Reader *reader, LLVMValueRef symbol, u
   Ir *ir = rewrite->scope.ir;
   Derived module = {0};
   read(ir, reader, arity, keyed, &module);
-  if (keyed && rewrite->way == WAY_EXPAND) module.key = key_chain(ir, module.key, rewrite->steps);
-  line_copy(rewrite, symbol, module.args, arity, module.key);
+  LLVMValueRef key = rewrite->silent ? NULL : module.key;
+  if (key && rewrite->way == WAY_EXPAND)
+    key = key_chain(ir, key, LLVMBuildSub(ir->builder, rewrite->steps, expand_stop(ir, rewrite->out), ""));
+  line_copy(rewrite, symbol, module.args, arity, key);
   leave(ir, reader, arity, keyed);
 }
 
@@ -65,7 +68,7 @@ typedef VEC(Copier) Copiers;
 static LLVMBasicBlockRef copier(Rewrite *rewrite, Reader *reader, LLVMValueRef symbol, Copiers *copiers, KindId kind) {
   Ir *ir = rewrite->scope.ir;
   uint32_t arity = ir->program->kinds[kind].arity;
-  bool keyed = ir->facts->kinds[kind].key;
+  bool keyed = walk_has_key(rewrite, kind);
   for (size_t i = 0; i < copiers->count; i++)
     if (copiers->at[i].arity == arity && copiers->at[i].keyed == keyed) return copiers->at[i].block;
   LLVMBasicBlockRef block = ir_block(ir, "copy");
@@ -150,7 +153,7 @@ LLVMValueRef entry_expand(Ir *ir) {
   if (!ir->facts->context_free) return NULL;
   LLVMValueRef function = create(ir, "expand", (LLVMTypeRef[]){ir->types.ptr, ir->types.ptr, ir->types.i64});
   ir_attribute(ir, function, 1, "noalias");
-  Rewrite rewrite = {.scope = {.ir = ir}, .way = WAY_EXPAND};
+  Rewrite rewrite = {.scope = {.ir = ir}, .way = WAY_EXPAND, .silent = !ir->shown_keys};
   rewrite.out = LLVMGetParam(function, 0);
   rewrite.steps = LLVMGetParam(function, 2);
   word_loop(&rewrite, LLVMGetParam(function, 1));

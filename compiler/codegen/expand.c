@@ -80,6 +80,11 @@ void expand_declare(Ir *ir) {
   }
 }
 
+// The steps that are left where modules are written.
+LLVMValueRef expand_stop(Ir *ir, LLVMValueRef out) {
+  return ir_load(ir, ir->types.i64, out, ir->types.stream, STREAM_STOP);
+}
+
 // ---- what becomes of a module ----------------------------------------------------
 
 // Goes on with the same function from its head.
@@ -98,7 +103,7 @@ static void leave(Rewrite *rewrite) {
 }
 
 // Hands a module to the function of its way. A last one ends the block.
-static void pass(Rewrite *rewrite, Way way, const Derived *module) {
+static void pass(Rewrite *rewrite, Way way, const Derived *module, bool last) {
   Ir *ir = rewrite->scope.ir;
   uint32_t arity = ir->program->kinds[module->kind].arity;
   line_flush(rewrite);
@@ -109,13 +114,14 @@ static void pass(Rewrite *rewrite, Way way, const Derived *module) {
   if (way != WAY_INTERPRET) values[n++] = rewrite->left;
   if (way != WAY_EXPAND) values[n++] = rewrite->deeper;
   for (uint32_t i = 0; i < arity; i++) values[n++] = module->args[i];
-  if (module->key) values[n++] = module->key;
-  if (module->last && way == rewrite->way && module->kind == rewrite->kind) {
+  LLVMValueRef key = derived_key(ir, module);
+  if (key) values[n++] = key;
+  if (last && way == rewrite->way && module->kind == rewrite->kind) {
     jump(rewrite, values + 1);
     return;
   }
   LLVMValueRef call = ir_call(ir, expand_function(ir, way, rewrite->system, module->kind), values, n);
-  if (!module->last) return;
+  if (!last) return;
   if (!rewrite->done) LLVMSetTailCallKind(call, ir->tail_kind);
   leave(rewrite);
 }
@@ -125,36 +131,41 @@ static void finish(Rewrite *rewrite) {
   leave(rewrite);
 }
 
-// A module in the derivation with rewrite->left steps to go.
-static void derive(Rewrite *rewrite, const Derived *module) {
+// Writes a module of a kind that stays. Only homomorphisms can give it a key, which it keeps up to the stop.
+static void write(Rewrite *rewrite, const Derived *module, bool last) {
   Ir *ir = rewrite->scope.ir;
-  bool stays = ir->stepping || ir->facts->kinds[module->kind].terminal;
-  if (!stays) {
-    pass(rewrite, WAY_EXPAND, module);
-    return;
+  LLVMValueRef key = rewrite->silent ? NULL : derived_key(ir, module);
+  if (key && !ir->stepping) {
+    LLVMValueRef steps = LLVMBuildSub(ir->builder, rewrite->left, expand_stop(ir, rewrite->out), "");
+    key = key_chain(ir, key, steps);
   }
-  LLVMValueRef key = module->key;
-  if (key && !ir->stepping) key = key_chain(ir, key, rewrite->left);
   line_add(rewrite, module->kind, module->args, key);
-  if (module->last) finish(rewrite);
+  if (last) finish(rewrite);
+}
+
+// A module in the derivation with rewrite->left steps to go.
+static void derive(Rewrite *rewrite, const Derived *module, bool last) {
+  const Ir *ir = rewrite->scope.ir;
+  if (ir->stepping || ir->facts->kinds[module->kind].terminal)
+    write(rewrite, module, last);
+  else
+    pass(rewrite, WAY_EXPAND, module, last);
 }
 
 // A module that a rewriting produced.
-void module_hand_on(Rewrite *rewrite, const Derived *module, unsigned steps) {
-  (void)steps;
+void expand_hand_on(Rewrite *rewrite, const Derived *module, bool last) {
   const Ir *ir = rewrite->scope.ir;
   const SystemFacts *facts = &ir->facts->systems[rewrite->system];
   bool later = rewrite->way == WAY_STEP && ir->apart;  // in an order of its own, behind the step
-  if (rewrite->way != WAY_INTERPRET) {
-    if (facts->decompositions[module->kind].count && !later)
-      pass(rewrite, WAY_DECOMPOSE, module);
+  if (rewrite->way == WAY_INTERPRET) {
+    if (facts->homomorphisms[module->kind].count)
+      pass(rewrite, WAY_INTERPRET, module, last);
     else
-      derive(rewrite, module);
-  } else if (facts->homomorphisms[module->kind].count) {
-    pass(rewrite, WAY_INTERPRET, module);
+      write(rewrite, module, last);
+  } else if (facts->decompositions[module->kind].count && !later) {
+    pass(rewrite, WAY_DECOMPOSE, module, last);
   } else {
-    line_add(rewrite, module->kind, module->args, NULL);
-    if (module->last) finish(rewrite);
+    derive(rewrite, module, last);
   }
 }
 
@@ -171,48 +182,52 @@ static bool recurs(const Rewrite *rewrite, const Word *word) {
   return false;
 }
 
+static LLVMBasicBlockRef deep_block(Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  if (rewrite->deep) return rewrite->deep;
+  LLVMBasicBlockRef here = LLVMGetInsertBlock(ir->builder);
+  rewrite->deep = ir_block(ir, "deep");
+  ir_at(ir, rewrite->deep);
+  LLVMValueRef too_deep = ir_runtime(ir, "lsys_too_deep", ir->types.none, &ir->types.ptr, 1, IR_STOPS);
+  ir_call(ir, too_deep, &rewrite->out, 1);
+  LLVMBuildUnreachable(ir->builder);
+  ir_at(ir, here);
+  return rewrite->deep;
+}
+
 static void check_stack(Rewrite *rewrite) {
   Ir *ir = rewrite->scope.ir;
   LLVMValueRef zero = LLVMConstInt(ir->types.i32, 0, false);
   LLVMValueRef frame = ir_call(ir, ir_intrinsic(ir, "llvm.frameaddress", ir->types.ptr), &zero, 1);
   LLVMValueRef at = LLVMBuildPtrToInt(ir->builder, frame, ir->types.i64, "");
   LLVMValueRef limit = ir_load(ir, ir->types.i64, rewrite->out, ir->types.stream, STREAM_STACK_LIMIT);
-  LLVMBasicBlockRef deep = ir_block(ir, "deep"), go = ir_block(ir, "go");
+  LLVMBasicBlockRef deep = deep_block(rewrite), go = ir_block(ir, "go");
   ir_branch_unlikely(ir, LLVMBuildICmp(ir->builder, LLVMIntULT, at, limit, ""), deep, go);
-  ir_at(ir, deep);
-  LLVMValueRef too_deep = ir_runtime(ir, "lsys_too_deep", ir->types.none, &ir->types.ptr, 1, IR_STOPS);
-  ir_call(ir, too_deep, &rewrite->out, 1);
-  LLVMBuildUnreachable(ir->builder);
   ir_at(ir, go);
-}
-
-static void take_any(Rewrite *rewrite, const Production *production) {
-  Ir *ir = rewrite->scope.ir;
-  if (recurs(rewrite, &production->successor)) check_stack(rewrite);
-  successor_emit(rewrite, production, module_hand_on, 0);
-  if (production->successor.count == 0) LLVMBuildRetVoid(ir->builder);
 }
 
 // The last steps straight-line, any others by calls.
 static void take(Rewrite *rewrite, const Production *production) {
   Ir *ir = rewrite->scope.ir;
+  size_t count = production->successor.count;
+  const Derived *modules = successor_derive(rewrite, production);
   bool fusing = rewrite->way == WAY_EXPAND && !ir->facts->kinds[rewrite->kind].fixed;
   unsigned levels = fusing ? fuse_levels(ir, production) : 0;
   if (levels) {
     LLVMBasicBlockRef more = ir_block(ir, "more");
     LLVMValueRef choice = LLVMBuildSwitch(ir->builder, rewrite->steps, more, levels);
-    Scope scope = rewrite->scope;
     for (unsigned level = 1; level <= levels; level++) {
       LLVMBasicBlockRef block = ir_block(ir, "last");
       LLVMAddCase(choice, ir_int(ir, level), block);
       ir_at(ir, block);
-      fuse_emit(rewrite, production, level);
-      LLVMBuildRetVoid(ir->builder);
-      rewrite->scope = scope;
+      fuse_write(rewrite, modules, count, level - 1);
+      finish(rewrite);
     }
     ir_at(ir, more);
   }
-  take_any(rewrite, production);
+  if (recurs(rewrite, &production->successor)) check_stack(rewrite);
+  for (size_t i = 0; i < count; i++) expand_hand_on(rewrite, &modules[i], i + 1 == count);
+  if (count == 0) finish(rewrite);
 }
 
 // ---- where no production applies -----------------------------------------------------
@@ -232,19 +247,40 @@ static bool stays_for_ever(const Ir *ir, KindId kind) {
 
 static void stay(Rewrite *rewrite) {
   Ir *ir = rewrite->scope.ir;
-  Derived self = {rewrite->kind, rewrite->args, rewrite->scope.key, true};
+  if (rewrite->way != WAY_EXPAND || stays_for_ever(ir, rewrite->kind)) {
+    LLVMBuildBr(ir->builder, rewrite->self);
+    return;
+  }
+  LLVMValueRef key = rewrite->scope.key;
+  Derived self = {.kind = rewrite->kind, .args = rewrite->args, .key = key ? key_split(ir, key, 0) : NULL};
+  expand_hand_on(rewrite, &self, true);
+}
+
+// The key of a module that stays, with which it is written at the stop. In the last word it counts only if it is
+// shown: otherwise the way there is not worth going.
+static LLVMValueRef settled_key(Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef key = rewrite->scope.key, ahead = rewrite->ahead;
+  if (!key || rewrite->way == WAY_INTERPRET) return NULL;
+  if (!ir->shown_keys) {
+    LLVMValueRef stop = expand_stop(ir, rewrite->out);
+    LLVMValueRef last = LLVMBuildICmp(ir->builder, LLVMIntEQ, stop, ir_int(ir, 0), "");
+    ahead = LLVMBuildSelect(ir->builder, last, ir_int(ir, 0), ahead, "");
+  }
+  return key_chain(ir, key, ahead);
+}
+
+// With no step or level to go, or when nothing will ever apply, the module goes on as it is.
+static void settle(Rewrite *rewrite) {
+  Derived self = {.kind = rewrite->kind, .args = rewrite->args, .key = rewrite->scope.key};
+  ir_at(rewrite->scope.ir, rewrite->self);
   if (rewrite->way == WAY_DECOMPOSE) {
-    rewrite->left = rewrite->steps;
-    derive(rewrite, &self);
-  } else if (rewrite->way == WAY_INTERPRET) {
-    line_add(rewrite, self.kind, self.args, NULL);
-    finish(rewrite);
-  } else if (stays_for_ever(ir, rewrite->kind)) {
-    line_add(rewrite, self.kind, self.args, self.key ? key_chain(ir, self.key, rewrite->steps) : NULL);
-    finish(rewrite);
+    derive(rewrite, &self, true);
   } else {
-    if (self.key) self.key = key_split(ir, self.key, 0);
-    module_hand_on(rewrite, &self, 0);
+    LLVMValueRef key = settled_key(rewrite);
+    rewrite->silent = false;
+    line_add(rewrite, self.kind, self.args, key);
+    finish(rewrite);
   }
 }
 
@@ -274,7 +310,7 @@ static void begin(Rewrite *rewrite, LLVMValueRef function) {
   if (ir->facts->kinds[rewrite->kind].key) rewrite->scope.key = at[ir->program->kinds[rewrite->kind].arity];
 }
 
-// if (steps < run->block_levels[kind]) { append run->block[kind][steps]; return; }
+// if (ahead < run->block_levels[kind]) { append run->block[kind][ahead]; return; }
 static void use_blocks(Rewrite *rewrite) {
   Ir *ir = rewrite->scope.ir;
   LLVMValueRef kind = ir_int(ir, rewrite->kind), run = rewrite->scope.run;
@@ -282,11 +318,11 @@ static void use_blocks(Rewrite *rewrite) {
   LLVMValueRef known =
     LLVMBuildLoad2(ir->builder, ir->types.i64, ir_advance(ir, ir->types.i64, levels, kind), "levels");
   LLVMBasicBlockRef block = ir_block(ir, "block"), more = ir_block(ir, "more");
-  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntULT, rewrite->steps, known, ""), block, more);
+  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntULT, rewrite->ahead, known, ""), block, more);
   ir_at(ir, block);
   LLVMValueRef table = ir_load(ir, ir->types.ptr, run, ir->types.run, RUN_BLOCK);
   LLVMValueRef row = LLVMBuildLoad2(ir->builder, ir->types.ptr, ir_advance(ir, ir->types.ptr, table, kind), "row");
-  LLVMValueRef at = ir_advance(ir, ir->types.block, row, rewrite->steps);
+  LLVMValueRef at = ir_advance(ir, ir->types.block, row, rewrite->ahead);
   LLVMTypeRef types[] = {ir->types.ptr, ir->types.ptr, ir->types.i64, ir->types.ptr, ir->types.i64};
   LLVMValueRef append = ir_runtime(ir, "lsys_append", ir->types.none, types, 5, IR_ANY);
   LLVMValueRef args[] = {rewrite->out, ir_load(ir, ir->types.ptr, at, ir->types.block, BLOCK_SYM),
@@ -298,20 +334,10 @@ static void use_blocks(Rewrite *rewrite) {
   ir_at(ir, more);
 }
 
-// With no step (level) to go the module itself goes on.
 static void stop_at_zero(Rewrite *rewrite, LLVMValueRef count) {
   Ir *ir = rewrite->scope.ir;
-  LLVMBasicBlockRef none = ir_block(ir, "none"), some = ir_block(ir, "some");
-  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, count, ir_int(ir, 0), ""), none, some);
-  ir_at(ir, none);
-  Derived self = {rewrite->kind, rewrite->args, rewrite->scope.key, true};
-  if (rewrite->way == WAY_DECOMPOSE) {
-    rewrite->left = rewrite->steps;
-    derive(rewrite, &self);
-  } else {
-    line_add(rewrite, self.kind, self.args, self.key);
-    finish(rewrite);
-  }
+  LLVMBasicBlockRef some = ir_block(ir, "some");
+  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, count, ir_int(ir, 0), ""), rewrite->self, some);
   ir_at(ir, some);
 }
 
@@ -360,16 +386,20 @@ static void define(Ir *ir, Way way, size_t system, KindId kind) {
   Rewrite rewrite = {.scope = {.ir = ir, .constant_values = !ir->state}, .way = way, .kind = kind, .system = system};
   Walk walk = {0};
   if (expand_takes_scan(ir, way)) rewrite.walk = &walk;
-  rewrite.silent = way == WAY_INTERPRET;
+  rewrite.silent = way == WAY_INTERPRET || (!ir->stepping && !ir->shown_keys);
   LLVMValueRef function = expand_function(ir, way, system, kind);
   const Productions *productions = expand_productions(ir, way, system, kind);
   debug_function(ir, function, productions->count ? productions->at[0]->head : (Span){0, 0});
   begin(&rewrite, function);
   if (productions->count) debug_arguments(&rewrite, productions->at[0]);
+  rewrite.self = ir_block(ir, "self");
+  if (way == WAY_EXPAND)
+    rewrite.ahead = LLVMBuildSub(ir->builder, rewrite.steps, expand_stop(ir, rewrite.out), "ahead");
   if (way == WAY_EXPAND && ir->facts->kinds[kind].fixed) use_blocks(&rewrite);
-  stop_at_zero(&rewrite, way == WAY_EXPAND ? rewrite.steps : rewrite.depth);
+  stop_at_zero(&rewrite, way == WAY_EXPAND ? rewrite.ahead : rewrite.depth);
   prepare(&rewrite, productions);
   if (select_production(&rewrite, productions, take)) stay(&rewrite);
+  settle(&rewrite);
 }
 
 static LLVMValueRef schedule(Ir *ir, const LSystem *lsystem) {
@@ -380,10 +410,21 @@ static LLVMValueRef schedule(Ir *ir, const LSystem *lsystem) {
   return ir_data(ir, LLVMConstArray2(ir->types.i32, tables, lsystem->schedule_count), "schedule");
 }
 
+static bool images_draw(const Ir *ir) {
+  Uses uses = uses_find(ir->arena, ir->program);
+  for (size_t s = 0; s < ir->program->lsystem_count; s++) {
+    const Productions *images = &ir->program->lsystems[s].homomorphism.productions;
+    for (size_t i = 0; i < images->count; i++)
+      if (uses_production(&uses, images->at[i]) & USES_DRAW) return true;
+  }
+  return false;
+}
+
 void expand_define(Ir *ir) {
   size_t systems = ir->program->lsystem_count;
   ir->schedules = arena_array(ir->arena, systems, sizeof *ir->schedules);
   for (size_t s = 0; s < systems; s++) ir->schedules[s] = schedule(ir, &ir->program->lsystems[s]);
+  ir->shown_keys = images_draw(ir);
   for (Way way = 0; way < WAY_COUNT; way++)
     for (size_t s = 0; s < systems; s++)
       for (KindId k = 0; k < ir->program->kind_count; k++)

@@ -1,7 +1,7 @@
 // freeze.c -- the in-memory LsysGrammar -> the module's one exported constant,
 // with the compiled functions filled in.
 // Invariant: fields stand in the order of abi.h, which is checked against the
-// offsets that this compiler was built with. Runs last: room_* and frame_bytes
+// offsets that this compiler was built with. Runs last: room_sym and frame_bytes
 // are what emission asked for.
 #include "codegen/ir.h"
 
@@ -132,15 +132,11 @@ typedef struct Field {
   LLVMValueRef value;
 } Field;
 
-static uint32_t larger(uint32_t a, uint32_t b) {
-  return a > b ? a : b;
-}
-
 // What one level of a rewriting function may keep on the stack: its counters, and every
 // argument and key of a successor twice over.
 static uint32_t frame_bytes(const Ir *ir) {
-  uint64_t bytes = 4096 + 8 * (uint64_t)ir->counters + 32 * ((uint64_t)ir->room_arg + ir->room_key)
-                 + 32 * (uint64_t)ir->facts->most_arguments;
+  uint64_t bytes =
+    4096 + 8 * (uint64_t)ir->counters + 32 * ((uint64_t)ir->facts->most_arguments + ir->facts->longest_successor);
   return bytes < UINT32_MAX ? (uint32_t)bytes : UINT32_MAX;
 }
 
@@ -175,9 +171,7 @@ void freeze_grammar(Ir *ir, const Entries *entries) {
     FIELD(axioms, axioms(ir)),
     FIELD(value_count, int_of(i32, g->value_count + blocks_values(ir))),
     FIELD(seed, ir_int(ir, g->seed)),
-    FIELD(room_sym, int_of(i32, larger(g->room_sym, ir->room_sym))),
-    FIELD(room_arg, int_of(i32, larger(g->room_arg, ir->room_arg))),
-    FIELD(room_key, int_of(i32, larger(g->room_key, ir->room_key))),
+    FIELD(room_sym, int_of(i32, ir->room_sym > g->room_sym ? ir->room_sym : g->room_sym)),
     FIELD(frame_bytes, int_of(i32, frame_bytes(ir))),
     FIELD(growth, growth(ir)),
     FIELD(init, pointer(ir, entries->init)),

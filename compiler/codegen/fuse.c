@@ -57,25 +57,24 @@ unsigned fuse_levels(Ir *ir, const Production *production) {
   return levels;
 }
 
-// One module of the successor that has so many steps to go.
 static void fuse_module(Rewrite *rewrite, const Derived *module, unsigned steps) {
   Ir *ir = rewrite->scope.ir;
-  LLVMValueRef key = module->key;
   if (steps == 0 || ir->facts->kinds[module->kind].terminal) {
+    LLVMValueRef key = rewrite->silent ? NULL : derived_key(ir, module);
     for (unsigned s = 0; key && s < steps; s++) key = key_split(ir, key, 0);
     line_add(rewrite, module->kind, module->args, key);
     return;
   }
   const Production *p = certain(ir, module->kind);
-  Slot *slots = arena_array(ir->arena, p->parameters, sizeof *slots);
+  Scope scope = rewrite->scope;
+  rewrite->scope.slots = arena_array(ir->arena, p->parameters, sizeof(Slot));
   for (uint32_t i = 0; i < ir->program->kinds[module->kind].arity; i++)
-    slots[p->strict.at[0].slot + i].value = module->args[i];
-  rewrite->scope.slots = slots;
-  rewrite->scope.key = key;
-  successor_emit(rewrite, p, fuse_module, steps - 1);
+    rewrite->scope.slots[p->strict.at[0].slot + i].value = module->args[i];
+  rewrite->scope.key = derived_key(ir, module);
+  fuse_write(rewrite, successor_derive(rewrite, p), p->successor.count, steps - 1);
+  rewrite->scope = scope;
 }
 
-void fuse_emit(Rewrite *rewrite, const Production *production, unsigned levels) {
-  successor_emit(rewrite, production, fuse_module, levels - 1);
-  line_flush(rewrite);
+void fuse_write(Rewrite *rewrite, const Derived *modules, size_t count, unsigned steps) {
+  for (size_t i = 0; i < count; i++) fuse_module(rewrite, &modules[i], steps);
 }

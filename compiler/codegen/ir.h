@@ -25,16 +25,7 @@ typedef struct IrTypes {
 } IrTypes;
 
 enum { WORD_SYM, WORD_ARG, WORD_KEY, WORD_NSYM, WORD_NARG, WORD_NKEY };
-enum {
-  STREAM_SYM,
-  STREAM_ARG,
-  STREAM_KEY,
-  STREAM_SYM_LIMIT,
-  STREAM_ARG_LIMIT,
-  STREAM_KEY_LIMIT,
-  STREAM_RUN,
-  STREAM_STACK_LIMIT
-};
+enum { STREAM_SYM, STREAM_ARG, STREAM_KEY, STREAM_SYM_LIMIT, STREAM_RUN, STREAM_STOP, STREAM_STACK_LIMIT };
 enum { BLOCK_SYM, BLOCK_ARG, BLOCK_NSYM, BLOCK_NARG };
 enum {
   SCAN_SYM,
@@ -81,16 +72,17 @@ typedef struct Ir {
   LLVMTailCallKind tail_kind;  // how their last calls are marked
   DebugInfo *debug;            // NULL without -g
 
-  uint32_t *counter;                      // per call site: its repetition counter, or NO_COUNTER
-  uint32_t counters;                      // how many there are
-  LLVMValueRef *functions;                // user functions
-  LLVMValueRef *ways[WAY_COUNT];          // per way, L-system and kind: the function, or NULL (expand_function)
-  LLVMValueRef *schedules;                // per L-system: table of each step (T0L), or NULL
-  bool state;                             // globals or blocks: everything happens in order, one after the other
-  bool apart;                             // decomposition is a walk of its own behind each step
-  bool stepping;                          // for the step engine: a module is derived by one step at a time
-  bool letters;                           // the step goes through a table of cases (letters.c)
-  uint32_t room_sym, room_arg, room_key;  // the most that was asked for at once
+  uint32_t *counter;              // per call site: its repetition counter, or NO_COUNTER
+  uint32_t counters;              // how many there are
+  LLVMValueRef *functions;        // user functions
+  LLVMValueRef *ways[WAY_COUNT];  // per way, L-system and kind: the function, or NULL (expand_function)
+  LLVMValueRef *schedules;        // per L-system: table of each step (T0L), or NULL
+  bool state;                     // globals or blocks: everything happens in order, one after the other
+  bool apart;                     // decomposition is a walk of its own behind each step
+  bool stepping;                  // for the step engine: a module is derived by one step at a time
+  bool letters;                   // the step goes through a table of cases (letters.c)
+  bool shown_keys;                // a homomorphism draws: only then does anyone read the keys of a derived word
+  uint32_t room_sym;              // the most modules that room was asked for at once
 } Ir;
 
 #define NO_COUNTER UINT32_MAX
@@ -194,13 +186,16 @@ typedef struct Rewrite {
   size_t system;                // the L-system whose productions apply
   LLVMValueRef *args;           // the module's arguments
   LLVMValueRef out;             // the stream
+  LLVMValueRef ahead;           // WAY_EXPAND: steps before out->stop
   LLVMValueRef steps;           // WAY_EXPAND: steps left, this one included; WAY_DECOMPOSE: behind this step
   LLVMValueRef depth;           // levels left, this one included; NULL in WAY_EXPAND
   LLVMValueRef table;           // T0L: the table of this step, NULL where no production asks
   LLVMBasicBlockRef again;      // head of the loop that a last successor of the same kind jumps to,
   VEC(LLVMValueRef) variables;  //   and its variables: the function's parameters behind out
   LLVMValueRef left, deeper;    // steps and levels that the successor's modules have left
-  bool silent;                  // results carry no keys (homomorphism)
+  LLVMBasicBlockRef self;       // writes the module as it is, and ends
+  LLVMBasicBlockRef deep;       // ends the run for want of stack; NULL until needed
+  bool silent;                  // what is written carries no keys
   Walk *walk;                   // where neighbours are looked for; NULL where there are no contexts
   LLVMBasicBlockRef done;       // where to go behind the last module; NULL: the function returns
   Line line;
@@ -217,6 +212,7 @@ typedef void (*Each)(Rewrite *rewrite);
 LLVMValueRef walk_emit(Ir *ir, const char *name, Way way, Each begin, Each each);
 void walk_pass(Rewrite *rewrite, const KindId *kinds, size_t count);  // on behind modules of these kinds
 void walk_cut(Rewrite *rewrite);                                      // on at the end of the branch
+bool walk_has_key(const Rewrite *rewrite, KindId kind);               // the word that is read has this kind's keys
 void walk_store(const Rewrite *rewrite);                              // lets the scans stand at the module at hand
 LLVMValueRef *walk_scans(Ir *ir, LLVMValueRef first);                 // the scans of all views
 LLVMValueRef walk_scan(const Rewrite *rewrite);                       // the one that rewrite->system's contexts look at
@@ -224,16 +220,18 @@ LLVMValueRef walk_scan(const Rewrite *rewrite);                       // the one
 // neighbours.c: goes on only where the rest of the strict predecessor and the contexts fit; binds their parameters.
 void neighbours_require(Rewrite *rewrite, const Production *production, Slot *slots, LLVMBasicBlockRef fail);
 
-// A module of a successor, evaluated; key is NULL where its kind has none.
+// A module of a successor, evaluated. Its key is made where it is needed (derived_key).
 typedef struct Derived {
   KindId kind;
-  LLVMValueRef *args, key;
-  bool last;  // of its successor
+  LLVMValueRef *args;
+  LLVMValueRef key;     // its key if that is there already,
+  LLVMValueRef parent;  //   else the key of what was rewritten
+  uint64_t child;       //   and its place in the successor
 } Derived;
 
-// successor.c: evaluates the successor's arguments and keys, module by module, and gives each to handle.
-typedef void (*Handle)(Rewrite *rewrite, const Derived *module, unsigned steps);
-void successor_emit(Rewrite *rewrite, const Production *production, Handle handle, unsigned steps);
+// successor.c: evaluates the arguments of the production's successor, module by module.
+Derived *successor_derive(Rewrite *rewrite, const Production *production);
+LLVMValueRef derived_key(Ir *ir, const Derived *module);  // NULL where its kind has none
 
 // line.c: modules that are written as they are, with one check for room.
 void line_add(Rewrite *rewrite, KindId kind, LLVMValueRef *args, LLVMValueRef key);
@@ -242,15 +240,17 @@ void line_flush(Rewrite *rewrite);
 void line_copy(Rewrite *rewrite, LLVMValueRef symbol, LLVMValueRef *args, uint32_t arity, LLVMValueRef key);
 
 // fuse.c: the last steps of a derivation as straight-line code.
-unsigned fuse_levels(Ir *ir, const Production *production);  // how many; 0: none
-void fuse_emit(Rewrite *rewrite, const Production *production, unsigned levels);
+unsigned fuse_levels(Ir *ir, const Production *production);                               // how many; 0: none
+void fuse_write(Rewrite *rewrite, const Derived *modules, size_t count, unsigned steps);  // after so many more steps
 
 // expand.c: the rewriting functions of all reachable kinds.
 void expand_declare(Ir *ir);
 void expand_define(Ir *ir);
-void module_hand_on(Rewrite *rewrite, const Derived *module, unsigned steps);  // what a rewriting produced goes on
+// A module that a rewriting produced goes on by the rewriting's way; behind the last one the block is ended.
+void expand_hand_on(Rewrite *rewrite, const Derived *module, bool last);
 // Levels that the L-system's section of WAY_DECOMPOSE or WAY_INTERPRET allows.
 LLVMValueRef expand_depth(Ir *ir, Way way, size_t system);
+LLVMValueRef expand_stop(Ir *ir, LLVMValueRef out);  // out->stop
 const Productions *expand_productions(const Ir *ir, Way way, size_t system, KindId kind);
 LLVMValueRef expand_function(const Ir *ir, Way way, size_t system, KindId kind);  // NULL: none is needed
 bool expand_takes_scan(const Ir *ir, Way way);
@@ -262,7 +262,8 @@ LLVMValueRef entry_homomorphism(Ir *ir);
 // whole.c: the same for whole words, whose modules are replaced where they stand.
 LLVMValueRef whole_decompose(Ir *ir);
 LLVMValueRef whole_interpret(Ir *ir);
-LLVMValueRef image_key(Ir *ir, size_t system, LLVMValueRef key);  // from which a module's homomorphism starts
+// The key that a module's homomorphism starts from; any, if none is there because no homomorphism draws.
+LLVMValueRef image_key(Ir *ir, size_t system, LLVMValueRef key);
 
 // step.c: the descriptor's function that rewrites a word once; NULL where the expand engine does.
 LLVMValueRef step_emit(Ir *ir);

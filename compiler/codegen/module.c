@@ -18,9 +18,8 @@ MIRROR(LsysStream, sym, 8 * STREAM_SYM);
 MIRROR(LsysStream, arg, 8 * STREAM_ARG);
 MIRROR(LsysStream, key, 8 * STREAM_KEY);
 MIRROR(LsysStream, sym_limit, 8 * STREAM_SYM_LIMIT);
-MIRROR(LsysStream, arg_limit, 8 * STREAM_ARG_LIMIT);
-MIRROR(LsysStream, key_limit, 8 * STREAM_KEY_LIMIT);
 MIRROR(LsysStream, run, 8 * STREAM_RUN);
+MIRROR(LsysStream, stop, 8 * STREAM_STOP);
 MIRROR(LsysStream, stack_limit, 8 * STREAM_STACK_LIMIT);
 MIRROR(LsysWord, sym, 8 * WORD_SYM);
 MIRROR(LsysWord, arg, 8 * WORD_ARG);
@@ -79,7 +78,7 @@ static void make_types(IrTypes *t, LLVMContextRef context, bool wide) {
   t->symbol = wide ? t->i16 : t->i8;
   LLVMTypeRef ptr = t->ptr, i64 = t->i64, i32 = t->i32, f64 = t->f64;
   t->word = MIRROR_TYPE("word", ptr, ptr, ptr, i64, i64, i64);
-  t->stream = MIRROR_TYPE("stream", ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64);
+  t->stream = MIRROR_TYPE("stream", ptr, ptr, ptr, ptr, ptr, i64, i64);
   t->block = MIRROR_TYPE("block", ptr, ptr, i64, i64);
   t->run = MIRROR_TYPE("run", ptr, ptr, i64, i64, ptr, ptr, i64, i64);
   t->kind = MIRROR_TYPE("kind", ptr, t->i16, t->i8, t->i8);
@@ -141,12 +140,16 @@ LLVMValueRef ir_data(Ir *ir, LLVMValueRef constant, const char *name) {
 
 // ---- memory ----------------------------------------------------------------
 
+static LLVMValueRef field_address(Ir *ir, LLVMValueRef object, LLVMTypeRef object_type, unsigned field) {
+  return field ? LLVMBuildStructGEP2(ir->builder, object_type, object, field, "") : object;
+}
+
 LLVMValueRef ir_load(Ir *ir, LLVMTypeRef type, LLVMValueRef object, LLVMTypeRef object_type, unsigned field) {
-  return LLVMBuildLoad2(ir->builder, type, LLVMBuildStructGEP2(ir->builder, object_type, object, field, ""), "");
+  return LLVMBuildLoad2(ir->builder, type, field_address(ir, object, object_type, field), "");
 }
 
 void ir_store(Ir *ir, LLVMValueRef value, LLVMValueRef object, LLVMTypeRef object_type, unsigned field) {
-  LLVMBuildStore(ir->builder, value, LLVMBuildStructGEP2(ir->builder, object_type, object, field, ""));
+  LLVMBuildStore(ir->builder, value, field_address(ir, object, object_type, field));
 }
 
 void ir_mark_invariant(Ir *ir, LLVMValueRef load) {
@@ -156,6 +159,7 @@ void ir_mark_invariant(Ir *ir, LLVMValueRef load) {
 }
 
 LLVMValueRef ir_advance(Ir *ir, LLVMTypeRef element, LLVMValueRef pointer, LLVMValueRef count) {
+  if (LLVMIsNull(count)) return pointer;
   return LLVMBuildInBoundsGEP2(ir->builder, element, pointer, &count, 1, "");
 }
 

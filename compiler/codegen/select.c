@@ -136,24 +136,38 @@ static void join(Rewrite *rewrite, Lottery *lottery, const Production *productio
   *VEC_PUSH(ir->arena, &lottery->tickets) = (Ticket){production, rewrite->scope.slots, sum};
 }
 
-// Ends at the place where nothing is drawn: no weight counted.
-static void draw(Rewrite *rewrite, const Lottery *lottery, Take take) {
+// Sums in this range are normal numbers, and so is every product with a draw: u * sum < sum.
+static bool surely_exceeds(const Lottery *lottery) {
+  double sum;
+  return lottery->certain && ir_is_double(lottery->sum, &sum) && sum > 1e-300 && sum < 1e300;
+}
+
+// Ends at the place where nothing is drawn, because no weight counted. False if there is no such place.
+static bool draw(Rewrite *rewrite, const Lottery *lottery, Take take) {
   Ir *ir = rewrite->scope.ir;
-  LLVMBasicBlockRef stay = ir_block(ir, "stay"), drawing = ir_block(ir, "draw");
-  LLVMValueRef any = LLVMBuildFCmp(ir->builder, LLVMRealOGT, lottery->sum, ir_double(ir, 0), "");
-  ir_branch(ir, any, drawing, stay);
-  ir_at(ir, drawing);
+  LLVMBasicBlockRef stay = NULL;
+  bool sure = surely_exceeds(lottery);
+  if (!sure) {
+    LLVMBasicBlockRef drawing = ir_block(ir, "draw");
+    stay = ir_block(ir, "stay");
+    ir_branch(ir, LLVMBuildFCmp(ir->builder, LLVMRealOGT, lottery->sum, ir_double(ir, 0), ""), drawing, stay);
+    ir_at(ir, drawing);
+  }
   LLVMValueRef u = key_draw(ir, rewrite->scope.key, ir_int(ir, 0));
   LLVMValueRef ball = LLVMBuildFMul(ir->builder, u, lottery->sum, "ball");
   for (size_t i = 0; i < lottery->tickets.count; i++) {
     const Ticket *ticket = &lottery->tickets.at[i];
     bool last = i + 1 == lottery->tickets.count;
-    LLVMBasicBlockRef chosen = ir_block(ir, "chosen"), next = last ? stay : ir_block(ir, "next");
-    ir_branch(ir, LLVMBuildFCmp(ir->builder, LLVMRealOLT, ball, ticket->bound, ""), chosen, next);
-    ir_at(ir, chosen);
+    LLVMBasicBlockRef next = last ? stay : ir_block(ir, "next");
+    if (next) {
+      LLVMBasicBlockRef chosen = ir_block(ir, "chosen");
+      ir_branch(ir, LLVMBuildFCmp(ir->builder, LLVMRealOLT, ball, ticket->bound, ""), chosen, next);
+      ir_at(ir, chosen);
+    }
     take_now(rewrite, ticket->production, ticket->slots, take);
-    ir_at(ir, next);
+    if (next) ir_at(ir, next);
   }
+  return !sure;
 }
 
 // One production in its turn. False if no later one can have a turn.
@@ -181,6 +195,5 @@ bool select_production(Rewrite *rewrite, const Productions *productions, Take ta
     if (production_never(ir->program, production)) continue;
     if (!try(rewrite, &lottery, production, take)) return false;
   }
-  if (lottery.tickets.count) draw(rewrite, &lottery, take);
-  return true;
+  return lottery.tickets.count == 0 || draw(rewrite, &lottery, take);
 }

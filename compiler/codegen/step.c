@@ -10,8 +10,10 @@ static void take(Rewrite *rewrite, const Production *production) {
   Ir *ir = rewrite->scope.ir;
   const Context *strict = &production->strict;
   rewrite->done = ir_block(ir, "rewritten");
-  successor_emit(rewrite, production, module_hand_on, 0);
-  if (production->successor.count == 0) LLVMBuildBr(ir->builder, rewrite->done);
+  const Derived *modules = successor_derive(rewrite, production);
+  size_t count = production->successor.count;
+  for (size_t i = 0; i < count; i++) expand_hand_on(rewrite, &modules[i], i + 1 == count);
+  if (count == 0) LLVMBuildBr(ir->builder, rewrite->done);
   ir_at(ir, rewrite->done);
   KindId *kinds = arena_array(ir->arena, strict->count, sizeof *kinds);
   for (size_t i = 0; i < strict->count; i++) kinds[i] = strict->at[i].kind;
@@ -20,14 +22,14 @@ static void take(Rewrite *rewrite, const Production *production) {
 
 static void stay(Rewrite *rewrite) {
   Ir *ir = rewrite->scope.ir;
-  Derived self = {rewrite->kind, rewrite->args, rewrite->scope.key, true};
+  LLVMValueRef key = rewrite->scope.key;
   if (rewrite->kind == ir->program->cut) {  // it goes, with the rest of its branch
     walk_cut(rewrite);
     return;
   }
-  if (self.key) self.key = key_split(ir, self.key, 0);
+  Derived self = {.kind = rewrite->kind, .args = rewrite->args, .key = key ? key_split(ir, key, 0) : NULL};
   rewrite->done = ir_block(ir, "stays");
-  module_hand_on(rewrite, &self, 0);
+  expand_hand_on(rewrite, &self, true);
   ir_at(ir, rewrite->done);
   walk_pass(rewrite, &rewrite->kind, 1);
 }

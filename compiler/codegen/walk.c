@@ -28,6 +28,11 @@ LLVMValueRef *walk_scans(Ir *ir, LLVMValueRef first) {
   return scans;
 }
 
+bool walk_has_key(const Rewrite *rewrite, KindId kind) {
+  const Ir *ir = rewrite->scope.ir;
+  return ir->facts->kinds[kind].key && (rewrite->way != WAY_INTERPRET || ir->shown_keys);
+}
+
 LLVMValueRef walk_scan(const Rewrite *rewrite) {
   return rewrite->walk->scans[rewrite->scope.ir->facts->systems[rewrite->system].view];
 }
@@ -113,7 +118,7 @@ void walk_pass(Rewrite *rewrite, const KindId *kinds, size_t count) {
       pass(rewrite, view, kinds[i], arg);
     }
     args += ir->program->kinds[kinds[i]].arity;
-    keys += ir->facts->kinds[kinds[i]].key;
+    keys += walk_has_key(rewrite, kinds[i]);
   }
   go_on(rewrite, ir_advance(ir, ir->types.symbol, walk->sym, ir_int(ir, count)),
         ir_advance(ir, ir->types.f64, walk->arg, ir_int(ir, args)),
@@ -141,7 +146,7 @@ void walk_cut(Rewrite *rewrite) {
   LLVMValueRef scan = walk->scans[0];
   store_place(rewrite, ir_advance(ir, ir->types.symbol, walk->sym, ir_int(ir, 1)),
               ir_advance(ir, ir->types.f64, walk->arg, ir_int(ir, ir->program->kinds[rewrite->kind].arity)),
-              ir_advance(ir, ir->types.i64, walk->key, ir_int(ir, ir->facts->kinds[rewrite->kind].key)));
+              ir_advance(ir, ir->types.i64, walk->key, ir_int(ir, walk_has_key(rewrite, rewrite->kind))));
   for (uint32_t view = 0; view < views(ir); view++) scan_call(ir, walk->scans[view], "lsys_cut");
   go_on(rewrite, ir_load(ir, ir->types.ptr, scan, ir->types.scan, SCAN_SYM),
         ir_load(ir, ir->types.ptr, scan, ir->types.scan, SCAN_ARG),
@@ -200,7 +205,7 @@ static void rewrite_kind(Rewrite *rewrite, KindId kind, Each each) {
     LLVMValueRef at = ir_advance(ir, ir->types.f64, walk->arg, ir_int(ir, i));
     rewrite->args[i] = LLVMBuildLoad2(ir->builder, ir->types.f64, at, "");
   }
-  bool keyed = ir->facts->kinds[kind].key;
+  bool keyed = walk_has_key(rewrite, kind);
   rewrite->scope.key = keyed ? LLVMBuildLoad2(ir->builder, ir->types.i64, walk->key, "key") : NULL;
   for (uint32_t view = 0; view < views(ir); view++)
     if (class_of(ir, view, kind) == LSYS_CLASS_SEEN) reach(rewrite, view);

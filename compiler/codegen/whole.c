@@ -8,6 +8,7 @@
 #include "codegen/ir.h"
 
 LLVMValueRef image_key(Ir *ir, size_t system, LLVMValueRef key) {
+  if (!key) return ir_int(ir, 0);
   const Rewriting *section = &ir->program->lsystems[system].homomorphism;
   key = key_split(ir, key, LSYS_VALUES_CHILD);
   return section->has_seed ? LLVMBuildXor(ir->builder, key, ir_int(ir, lsys_mix64(section->seed)), "") : key;
@@ -23,7 +24,7 @@ static void hand_over(Rewrite *rewrite, LLVMValueRef function) {
   values[n++] = shows ? rewrite->walk->scans[0] : rewrite->steps;
   values[n++] = expand_depth(ir, rewrite->way, rewrite->system);
   for (uint32_t i = 0; i < arity; i++) values[n++] = rewrite->args[i];
-  if (key) values[n++] = shows ? image_key(ir, rewrite->system, key) : key;
+  if (ir->facts->kinds[rewrite->kind].key) values[n++] = shows ? image_key(ir, rewrite->system, key) : key;
   if (rewrite->walk->right) walk_store(rewrite);
   ir_call(ir, function, values, n);
 }

@@ -60,10 +60,7 @@ void boxes_pack(const Boxes *word, const LsysGrammar *grammar, bool with_keys, L
     const Box *box = &word->at[i];
     const LsysKind *kind = &grammar->kinds[box->kind];
     bool key = with_keys && kind->flags & LSYS_KIND_KEY;
-    if (out->sym_limit - out->sym < 1 + wide || out->arg_limit - out->arg < kind->arity
-        || (key && out->key_limit == out->key)) {
-      lsys_flush(out);
-    }
+    if (out->sym_limit - out->sym < 1 + wide) lsys_flush(out);
     out->sym = write_symbol(out->sym, box->kind, wide);
     for (uint32_t a = 0; a < kind->arity; a++) *out->arg++ = word->arg[box->args + a];
     if (key) *out->key++ = box->key;

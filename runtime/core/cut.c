@@ -49,7 +49,7 @@ LsysWord lsys_cut_take(LsysCut *cut, uint64_t modules) {
 // ---- samples -----------------------------------------------------------------
 
 typedef struct Sampler {
-  LsysWorker worker;  // of this thread, with as many steps as the sample's derivation
+  LsysWorker worker;  // of this thread
   LsysSink sink;
   LsysWriter writer;
   LsysStore sample;
@@ -81,24 +81,30 @@ static bool take_weight(LsysSink *sink, const LsysWord *part) {
   return sampler->weight < MOST_WEIGHT;
 }
 
-// Derives until the sink has enough.
-static void derive(Sampler *sampler, const LsysWord *word, uint64_t steps, bool (*take)(LsysSink *, const LsysWord *)) {
+static void use(Sampler *sampler, bool (*take)(LsysSink *, const LsysWord *)) {
   sampler->sink.take = take;
   lsys_writer_use(&sampler->writer, sampler->writer.sym, sampler->writer.arg, sampler->writer.key);
-  if (setjmp(sampler->worker.stop)) return;
-  sampler->worker.run.grammar->expand(&sampler->writer.stream, word, steps);
-  lsys_flush(&sampler->writer.stream);
+}
+
+// Derives until `last` steps are left, or the sample is big enough.
+static void take_frontier(Sampler *sampler, const LsysWord *word, uint64_t steps, uint64_t last) {
+  use(sampler, take_sample);
+  if (!setjmp(sampler->worker.stop)) lsys_writer_advance(&sampler->writer, word, steps, steps, last);
+}
+
+// Derives the last steps of the sample, or until it is heavy enough.
+static void take_rest(Sampler *sampler, const LsysWord *sample, uint64_t steps, uint64_t last) {
+  use(sampler, take_weight);
+  if (!setjmp(sampler->worker.stop)) lsys_writer_finish(&sampler->writer, sample, steps, last);
 }
 
 // The mean weight of what a module before the last `last` steps becomes.
 static double weigh(Sampler *sampler, const LsysWord *word, uint64_t steps, uint64_t last) {
-  sampler->worker.run.steps = steps - last;
   lsys_store_clear(&sampler->sample);
-  derive(sampler, word, steps - last, take_sample);
-  sampler->worker.run.steps = steps;
+  take_frontier(sampler, word, steps, last);
   sampler->weight = sampler->written = sampler->referenced = 0;
   LsysWord sample = lsys_store_word(&sampler->sample);
-  derive(sampler, &sample, last, take_weight);
+  take_rest(sampler, &sample, steps, last);
   return sample.nsym ? sampler->weight / (double)sample.nsym : 0;
 }
 

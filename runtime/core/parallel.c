@@ -70,7 +70,7 @@ typedef struct Helper {
 
 struct LsysParallel {
   LsysWorker *worker;   // of this thread, with all steps
-  LsysWorker frontier;  // of this thread, with the first steps only
+  LsysWorker frontier;  // of this thread, while it makes the frontier
   LsysSink *sink;
   LsysSink splitter;  // takes the frontier
   uint64_t last_steps;
@@ -364,7 +364,6 @@ static bool set_up(LsysParallel *p, LsysWorker *worker, LsysSink *sink, unsigned
   p->frontier = (LsysWorker){.run = worker->run, .memory = memory};
   p->frontier.stack_limit = worker->stack_limit;
   p->frontier.stack_bytes = worker->stack_bytes;
-  p->frontier.run.steps -= p->last_steps;
   return lsys_writer_open(&p->writer, worker, sink)
       && lsys_writer_open(&p->frontier_writer, &p->frontier, &p->splitter);
 }
@@ -379,9 +378,8 @@ bool lsys_parallel_run(LsysParallel **place, LsysWorker *worker, const LsysWord 
   p->last_steps = lsys_cut_choose(worker, word, sink->prepare != NULL, &p->modules_a_task);
   if (!p->last_steps || !set_up(p, worker, sink, threads)) return false;
   if (setjmp(p->frontier.stop)) return false;
-  LsysStream *out = &p->frontier_writer.stream;
-  worker->run.grammar->expand(out, word, p->frontier.run.steps);
-  lsys_flush(out);
+  uint64_t steps = worker->run.steps;
+  lsys_writer_advance(&p->frontier_writer, word, steps, steps, p->last_steps);
   return finish(p);
 }
 

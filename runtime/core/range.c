@@ -201,16 +201,11 @@ static void pop(LsysDescent *descent, Popped *popped) {
                             .nkey = keys};
 }
 
-static void expand(LsysWriter *writer, const LsysWord *word, uint64_t steps) {
-  writer->stream.run->grammar->expand(&writer->stream, word, steps);
-  lsys_flush(&writer->stream);
-}
-
 // Derives the module by one step and puts its successor onto the stack.
 static bool open_up(LsysDescent *descent, const Popped *popped) {
   lsys_store_clear(&descent->successor);
-  descent->one_step.run.steps = descent->worker->run.steps - popped->steps + 1;
-  expand(&descent->step_writer, &popped->word, 1);
+  lsys_writer_advance(&descent->step_writer, &popped->word, descent->worker->run.steps, popped->steps,
+                      popped->steps - 1);
   LsysWord successor = lsys_store_word(&descent->successor);
   return push_word(descent, &successor, popped->steps - 1);
 }
@@ -224,7 +219,7 @@ static bool descend(LsysDescent *descent, LsysWindow *window) {
     if (size <= window->skip)
       window->skip -= size;
     else if (window->skip == 0 && size <= window->left)
-      expand(&descent->writer, &popped.word, popped.steps);
+      lsys_writer_finish(&descent->writer, &popped.word, descent->worker->run.steps, popped.steps);
     else if (!open_up(descent, &popped))
       return false;
   }

@@ -16,21 +16,29 @@ static void rewind_cursors(LsysWriter *writer) {
   to->arg = writer->arg;
   to->key = writer->key;
   to->sym_limit = writer->sym + writer->sym_bytes;
-  to->arg_limit = writer->arg + writer->arg_room;
-  to->key_limit = writer->key + writer->key_room;
 }
 
 static LsysMemory *memory_of(const LsysWriter *writer) {
   return ((LsysWorker *)writer->stream.run)->memory;
 }
 
+// The most arguments that a module has.
+static size_t widest(const LsysGrammar *grammar) {
+  size_t arity = 0;
+  for (uint32_t k = 0; k < grammar->kind_count; k++)
+    if (grammar->kinds[k].arity > arity) arity = grammar->kinds[k].arity;
+  return arity;
+}
+
 bool lsys_writer_open(LsysWriter *writer, LsysWorker *worker, LsysSink *sink) {
   const LsysGrammar *grammar = worker->run.grammar;
   *writer = (LsysWriter){.stream = {.run = &worker->run, .stack_limit = worker->stack_limit}, .sink = sink};
   writer->width = lsys_symbol_width(grammar);
-  writer->sym_bytes = ((size_t)LSYS_CHUNK + grammar->room_sym) * writer->width;
-  writer->arg_room = (size_t)LSYS_CHUNK + grammar->room_arg;
-  writer->key_room = grammar->flags & LSYS_GRAMMAR_RANDOM ? (size_t)LSYS_CHUNK + grammar->room_key : 0;
+  size_t arity = widest(grammar), modules = arity > 2 ? LSYS_CHUNK / arity * 2 : LSYS_CHUNK;
+  if (modules < grammar->room_sym) modules = grammar->room_sym;
+  writer->sym_bytes = modules * writer->width;
+  writer->arg_room = modules * arity;
+  writer->key_room = grammar->flags & LSYS_GRAMMAR_RANDOM ? modules : 0;
   writer->sym = lsys_memory_alloc(worker->memory, writer->sym_bytes, 1);
   writer->arg = lsys_memory_alloc(worker->memory, writer->arg_room, sizeof(double));
   writer->key = lsys_memory_alloc(worker->memory, writer->key_room, sizeof(uint64_t));
@@ -75,12 +83,27 @@ void lsys_flush(LsysStream *out) {
   if (part.nsym) hand_on(writer, &part);
 }
 
+static void expand(LsysWriter *writer, const LsysWord *in, uint64_t total, uint64_t steps, uint64_t stop) {
+  LsysRun *run = writer->stream.run;
+  run->steps = total;
+  writer->stream.stop = stop;
+  run->grammar->expand(&writer->stream, in, steps);
+  lsys_flush(&writer->stream);
+}
+
+void lsys_writer_finish(LsysWriter *writer, const LsysWord *in, uint64_t total, uint64_t steps) {
+  expand(writer, in, total, steps, 0);
+}
+
+void lsys_writer_advance(LsysWriter *writer, const LsysWord *in, uint64_t total, uint64_t steps, uint64_t left) {
+  expand(writer, in, total + LSYS_FAR, steps + LSYS_FAR, left + LSYS_FAR);
+}
+
 void lsys_append(LsysStream *out, const uint8_t *sym, uint64_t nsym, const double *arg, uint64_t narg) {
   LsysWriter *writer = (LsysWriter *)out;
   size_t bytes = (size_t)nsym * writer->width;
-  if (nsym >= DIRECT || (size_t)(out->sym_limit - out->sym) < bytes || (size_t)(out->arg_limit - out->arg) < narg)
-    lsys_flush(out);
-  if (nsym >= DIRECT || writer->sym_bytes < bytes || writer->arg_room < narg) {
+  if (nsym >= DIRECT || (size_t)(out->sym_limit - out->sym) < bytes) lsys_flush(out);
+  if (nsym >= DIRECT || writer->sym_bytes < bytes) {
     hand_on(writer, &(LsysWord){.sym = sym, .arg = arg, .nsym = nsym, .narg = narg});
     return;
   }

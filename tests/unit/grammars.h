@@ -9,9 +9,7 @@
 #include <stddef.h>
 
 static inline bool grammar_has_room(const LsysStream *out, const LsysGrammar *grammar) {
-  return out->sym_limit - out->sym >= (ptrdiff_t)grammar->room_sym
-      && out->arg_limit - out->arg >= (ptrdiff_t)grammar->room_arg
-      && out->key_limit - out->key >= (ptrdiff_t)grammar->room_key;
+  return out->sym_limit - out->sym >= (ptrdiff_t)grammar->room_sym;
 }
 
 static inline void grammar_settings(LsysRun *run) {
@@ -46,7 +44,7 @@ static void algae_expand_kind(LsysStream *out, uint8_t kind, uint64_t steps) {
 }
 
 static void algae_expand(LsysStream *out, const LsysWord *in, uint64_t steps) {
-  for (uint64_t i = 0; i < in->nsym; i++) algae_expand_kind(out, in->sym[i], steps);
+  for (uint64_t i = 0; i < in->nsym; i++) algae_expand_kind(out, in->sym[i], steps - out->stop);
 }
 
 static void algae_init(LsysRun *run, const uint8_t *given) {
@@ -118,7 +116,7 @@ static void bush_expand(LsysStream *out, const LsysWord *in, uint64_t steps) {
   const uint64_t *key = in->key;
   for (uint64_t i = 0; i < in->nsym; i++) {
     if (in->sym[i] == BUSH_A) {
-      bush_expand_a(out, steps, *arg++, *key++);
+      bush_expand_a(out, steps - out->stop, *arg++, *key++);
       continue;
     }
     if (!grammar_has_room(out, &bush)) lsys_flush(out);
@@ -159,8 +157,6 @@ static const LsysGrammar bush = {
   .value_count = LSYS_SETTING_COUNT + 1,
   .seed = 1,
   .room_sym = 2,
-  .room_arg = 1,
-  .room_key = 1,
   .frame_bytes = 160,
   .init = bush_init,
   .expand = bush_expand,

@@ -121,9 +121,6 @@ static void test_describe(void **state) {
   assert_true(d->axioms[0].word.arg[1] == 0);  // known only when the program runs
   assert_true(d->axioms[1].word.arg[1] == 7);
   assert_int_equal(d->seed, 5);
-  assert_int_equal(d->room_sym, 3);
-  assert_int_equal(d->room_arg, 2);
-  assert_int_equal(d->room_key, 0);
   grammar_free(&g);
 }
 

@@ -109,7 +109,6 @@ static char *derive(void (*step)(LsysScan *, LsysStream *), uint32_t flags, cons
                          .axioms = &axiom,
                          .value_count = LSYS_SETTING_COUNT,
                          .room_sym = 1,
-                         .room_arg = 1,
                          .frame_bytes = 64,
                          .init = no_values,
                          .step = step,

@@ -24,6 +24,8 @@
 
 #define LSYS_ABI_VERSION 1u
 
+#define LSYS_FAR (UINT64_C(1) << 62)  // more steps than any derivation has; see expand
+
 typedef struct LsysGrammar LsysGrammar;
 typedef struct LsysRun LsysRun;
 typedef struct LsysStream LsysStream;
@@ -31,7 +33,7 @@ typedef struct LsysStream LsysStream;
 enum {
   LSYS_KIND_KEY = 1,       // its modules carry a key: it can still draw in the derivation
   LSYS_KIND_TERMINAL = 2,  // no production of any table, no decomposition: it stays as it is for ever
-  LSYS_KIND_FIXED = 4,     // no arguments, and its derivation never draws nor reads globals, tables or contexts:
+  LSYS_KIND_FIXED = 4,     // no arguments, no key, and its derivation never reads globals, tables or contexts:
                            // after s steps it is always the same word (blocks, below)
 };
 
@@ -51,15 +53,16 @@ typedef struct LsysWord {
 } LsysWord;
 
 // Where a compiled production writes. The cursors are the next free places;
-// room to a limit is checked once per production, and lsys_flush makes some.
+// room is checked once per production, and lsys_flush makes some. One limit
+// serves all three streams: where sym has room for modules, arg and key have
+// room for theirs, whatever kinds they are.
 struct LsysStream {
   uint8_t *sym;
   double *arg;
   uint64_t *key;
   uint8_t *sym_limit;
-  double *arg_limit;
-  uint64_t *key_limit;
   LsysRun *run;
+  uint64_t stop;          // expand: 0, or what is left where modules are written, with keys, and not derived further
   uintptr_t stack_limit;  // a recursion whose frame lies below calls lsys_too_deep
 };
 
@@ -148,9 +151,7 @@ struct LsysGrammar {
   const LsysAxiom *axioms;
   uint32_t value_count;  // size of LsysRun.value
   uint64_t seed;         // default seed
-  uint32_t room_sym;     // the most that one production or one call of a compiled function writes
-  uint32_t room_arg;     //   between two checks for room
-  uint32_t room_key;
+  uint32_t room_sym;     // the most modules that are written between two checks for room
   uint32_t frame_bytes;  // bound on the native stack that one level of `expand` takes
   LsysGrowth growth;
 
@@ -162,8 +163,10 @@ struct LsysGrammar {
   // key[i] = lsys_split(root, place of module i among all start words), one per module. NULL: none to do.
   void (*axiom)(LsysRun *run, uint32_t which, double *arg, const uint64_t *key);
 
-  // Derives every module of `in` by `steps` steps, the last ones of the derivation, and writes the
-  // result in order to out. NULL for grammars that are not context-free.
+  // Derives every module of `in`, which has so many steps left, until out->stop are left, and writes the result in
+  // order to out. Code for the last steps goes to the end at once: for another stop than 0, LSYS_FAR is to be added to
+  // stop, steps and run->steps. Of the last word (stop 0) the keys count only where the homomorphism draws, as nobody
+  // else reads them: otherwise there are fewer, or none. NULL for grammars that are not context-free.
   void (*expand)(LsysStream *out, const LsysWord *in, uint64_t steps);
 
   // The step engine: rewrites the modules from scan->sym to scan->end (see scan.h) and writes what they become to
@@ -199,7 +202,7 @@ struct LsysGrammar {
 
 // ---- what compiled code calls ----------------------------------------------
 
-// Hands on what was written and makes room for at least the grammar's room_sym, room_arg and room_key.
+// Hands on what was written and makes room for at least the grammar's room_sym modules.
 // Does not return when the run has to stop (longjmp to the driver: compiled code owns nothing).
 void lsys_flush(LsysStream *out);
 
