@@ -11,7 +11,7 @@ typedef struct LsysStepper {
   LsysWorker *worker;
   LsysWalk walk;       // through the word that is read
   LsysStore words[2];  // take turns: one is read while the other one is written
-  LsysWriter writer;   // its sink is the store that is written
+  LsysWriter writer;   // into a store, or the sink
 } LsysStepper;
 
 // Derives the packed word by the worker's number of steps; the last word flows

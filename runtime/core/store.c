@@ -14,17 +14,21 @@ static bool make_room(LsysMemory *memory, void **at, size_t *room, size_t wanted
   return true;
 }
 
-static bool take(LsysSink *sink, const LsysWord *part) {
-  LsysStore *store = (LsysStore *)sink;
-  size_t at = store->nsym * store->width, bytes = part->nsym * store->width;
+bool lsys_store_reserve(LsysStore *store, uint64_t sym_bytes, uint64_t narg, uint64_t nkey) {
   void *sym = store->sym, *arg = store->arg, *key = store->key;
-  bool well = make_room(store->memory, &sym, &store->sym_bytes, at + bytes, 1)
-           && make_room(store->memory, &arg, &store->arg_room, store->narg + part->narg, sizeof(double))
-           && make_room(store->memory, &key, &store->key_room, store->nkey + part->nkey, sizeof(uint64_t));
+  bool well = make_room(store->memory, &sym, &store->sym_bytes, sym_bytes, 1)
+           && make_room(store->memory, &arg, &store->arg_room, narg, sizeof(double))
+           && make_room(store->memory, &key, &store->key_room, nkey, sizeof(uint64_t));
   store->sym = sym;
   store->arg = arg;
   store->key = key;
-  if (!well) return false;
+  return well;
+}
+
+static bool take(LsysSink *sink, const LsysWord *part) {
+  LsysStore *store = (LsysStore *)sink;
+  size_t at = store->nsym * store->width, bytes = part->nsym * store->width;
+  if (!lsys_store_reserve(store, at + bytes, store->narg + part->narg, store->nkey + part->nkey)) return false;
   if (bytes) memcpy(store->sym + at, part->sym, bytes);
   if (part->narg) memcpy(store->arg + store->narg, part->arg, part->narg * sizeof(double));
   if (part->nkey) memcpy(store->key + store->nkey, part->key, part->nkey * sizeof(uint64_t));

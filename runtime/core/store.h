@@ -20,6 +20,9 @@ typedef struct LsysStore {
 void lsys_store_open(LsysStore *store, const LsysGrammar *grammar, LsysMemory *memory);
 void lsys_store_close(LsysStore *store);
 
+// Room for a word of that size in all; false after printing that there is no memory.
+bool lsys_store_reserve(LsysStore *store, uint64_t sym_bytes, uint64_t narg, uint64_t nkey);
+
 // Makes it the empty word; the memory is kept.
 void lsys_store_clear(LsysStore *store);
 

@@ -3,6 +3,7 @@
 #include "core/stream.h"
 
 #include "core/message.h"
+#include "core/store.h"
 
 #include <stdarg.h>
 #include <string.h>
@@ -37,6 +38,7 @@ bool lsys_writer_open(LsysWriter *writer, LsysWorker *worker, LsysSink *sink) {
   size_t arity = widest(grammar), modules = arity > 2 ? LSYS_CHUNK / arity * 2 : LSYS_CHUNK;
   if (modules < grammar->room_sym) modules = grammar->room_sym;
   writer->sym_bytes = modules * writer->width;
+  writer->arity = arity;
   writer->arg_room = modules * arity;
   writer->key_room = grammar->flags & LSYS_GRAMMAR_RANDOM ? modules : 0;
   writer->sym = lsys_memory_alloc(worker->memory, writer->sym_bytes, 1);
@@ -73,8 +75,63 @@ static void hand_on(LsysWriter *writer, const LsysWord *part) {
   if (!writer->sink->take(writer->sink, part)) stop(writer->stream.run);
 }
 
+// ---- into a store ------------------------------------------------------------
+
+// What was written becomes the store's.
+static void settle(LsysWriter *writer) {
+  LsysStore *store = writer->store;
+  const LsysStream *out = &writer->stream;
+  store->nsym = (uint64_t)(out->sym - store->sym) / store->width;
+  store->narg = (uint64_t)(out->arg - store->arg);
+  store->nkey = (uint64_t)(out->key - store->key);
+}
+
+static uint64_t least(uint64_t a, uint64_t b) {
+  return a < b ? a : b;
+}
+
+// How many modules the store has room for behind its word.
+static uint64_t store_room(const LsysWriter *writer, const LsysStore *store) {
+  uint64_t modules = store->sym_bytes / store->width - store->nsym;
+  if (writer->arity) modules = least(modules, (store->arg_room - store->narg) / writer->arity);
+  return writer->key_room ? least(modules, store->key_room - store->nkey) : modules;
+}
+
+// Makes room behind the store's word for that much, and a chunk's modules more.
+static void make_room(LsysWriter *writer, uint64_t nsym, uint64_t narg) {
+  LsysStore *store = writer->store;
+  LsysStream *out = &writer->stream;
+  uint64_t symbols = store->nsym + nsym + writer->sym_bytes / writer->width;
+  if (!lsys_store_reserve(store, symbols * store->width, store->narg + narg + writer->arg_room,
+                          store->nkey + writer->key_room))
+    stop(out->run);
+  out->sym = store->sym + store->nsym * store->width;
+  out->arg = store->arg + store->narg;
+  out->key = store->key + store->nkey;
+  out->sym_limit = out->sym + store_room(writer, store) * store->width;
+}
+
+void lsys_writer_enter(LsysWriter *writer, LsysStore *store) {
+  lsys_store_clear(store);
+  writer->store = store;
+  make_room(writer, 0, 0);
+}
+
+void lsys_writer_leave(LsysWriter *writer) {
+  settle(writer);
+  writer->store = NULL;
+  rewind_cursors(writer);
+}
+
+// ---- what engines call -------------------------------------------------------
+
 void lsys_flush(LsysStream *out) {
   LsysWriter *writer = (LsysWriter *)out;
+  if (writer->store) {
+    settle(writer);
+    make_room(writer, 0, 0);
+    return;
+  }
   LsysWord part = {.sym = writer->sym, .arg = writer->arg, .key = writer->key};
   part.nsym = (uint64_t)(out->sym - writer->sym) / writer->width;
   part.narg = (uint64_t)(out->arg - writer->arg);
@@ -102,10 +159,15 @@ void lsys_writer_advance(LsysWriter *writer, const LsysWord *in, uint64_t total,
 void lsys_append(LsysStream *out, const uint8_t *sym, uint64_t nsym, const double *arg, uint64_t narg) {
   LsysWriter *writer = (LsysWriter *)out;
   size_t bytes = (size_t)nsym * writer->width;
-  if (nsym >= DIRECT || (size_t)(out->sym_limit - out->sym) < bytes) lsys_flush(out);
-  if (nsym >= DIRECT || writer->sym_bytes < bytes) {
+  if (writer->store) {
+    settle(writer);
+    make_room(writer, nsym, narg);
+  } else if (nsym >= DIRECT || writer->sym_bytes < bytes) {
+    lsys_flush(out);
     hand_on(writer, &(LsysWord){.sym = sym, .arg = arg, .nsym = nsym, .narg = narg});
     return;
+  } else if ((size_t)(out->sym_limit - out->sym) < bytes) {
+    lsys_flush(out);
   }
   memcpy(out->sym, sym, bytes);
   out->sym += bytes;

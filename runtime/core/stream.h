@@ -23,11 +23,13 @@ typedef struct LsysWorker {
 typedef struct LsysWriter {
   LsysStream stream;  // first: engines hold a pointer to it; its run is a worker's
   LsysSink *sink;
-  uint8_t *sym;  // the chunk
+  struct LsysStore *store;  // written in place of chunks; NULL: there is a sink
+  uint8_t *sym;             // the chunk
   double *arg;
   uint64_t *key;
   size_t sym_bytes, arg_room, key_room;
   unsigned width;  // bytes of a symbol
+  size_t arity;    // the most arguments of a module
 } LsysWriter;
 
 // Makes an empty chunk that flows into sink. False after printing why not.
@@ -41,6 +43,10 @@ void lsys_writer_use(LsysWriter *writer, uint8_t *sym, double *arg, uint64_t *ke
 // run's steps: to the end, or until `left` steps are left; then the modules have their keys.
 void lsys_writer_finish(LsysWriter *writer, const LsysWord *in, uint64_t total, uint64_t steps);
 void lsys_writer_advance(LsysWriter *writer, const LsysWord *in, uint64_t total, uint64_t steps, uint64_t left);
+
+// Until lsys_writer_leave, the writer writes a new word right into a store. The run ends where there is no memory.
+void lsys_writer_enter(LsysWriter *writer, struct LsysStore *store);
+void lsys_writer_leave(LsysWriter *writer);
 
 static inline unsigned lsys_symbol_width(const LsysGrammar *grammar) {
   return grammar->flags & LSYS_GRAMMAR_WIDE ? 2 : 1;
