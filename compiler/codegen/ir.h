@@ -42,7 +42,7 @@ enum {
   SCAN_SYSTEM,
   SCAN_OTHER
 };
-enum { NEIGHBOUR_KIND, NEIGHBOUR_WRAP, NEIGHBOUR_ARG };
+enum { NEIGHBOUR_KIND, NEIGHBOUR_WRAP, NEIGHBOUR_ARG, NEIGHBOUR_FIELDS };
 enum { CURSOR_SYM, CURSOR_END, CURSOR_ARG, CURSOR_FOUND, CURSOR_SEGMENT, CURSOR_OPEN };
 enum { RUN_GRAMMAR, RUN_VALUE, RUN_ROOT, RUN_STEPS, RUN_BLOCK, RUN_BLOCK_LEVELS, RUN_TABLE, RUN_STOPPED };
 
@@ -174,6 +174,9 @@ typedef struct Walk {
   LLVMBasicBlockRef next;                     // the latch,
   LLVMValueRef next_sym, next_arg, next_key;  //   and its phis
   bool left, right;                           // some production that is tried has such a context
+  LLVMValueRef *window;                       // per view, neighbour and field: its variable; NULL: all in the scans
+  bool begins;                                // a left context asks for `[`
+  LLVMValueRef ahead, found;                  // kind and arguments of the next seen module, once known
   LLVMValueRef *tables;                       // T0L: each L-system's table of this step
   LLVMValueRef counters;
 } Walk;
@@ -186,6 +189,7 @@ typedef struct Rewrite {
   size_t system;                // the L-system whose productions apply
   LLVMValueRef *args;           // the module's arguments
   LLVMValueRef out;             // the stream
+  LLVMValueRef cursor[3];       //   and variables that hold its cursors meanwhile, if not NULL
   LLVMValueRef ahead;           // WAY_EXPAND: steps before out->stop
   LLVMValueRef steps;           // WAY_EXPAND: steps left, this one included; WAY_DECOMPOSE: behind this step
   LLVMValueRef depth;           // levels left, this one included; NULL in WAY_EXPAND
@@ -212,12 +216,15 @@ typedef void (*Each)(Rewrite *rewrite);
 LLVMValueRef walk_emit(Ir *ir, const char *name, Way way, Each begin, Each each);
 void walk_pass(Rewrite *rewrite, const KindId *kinds, size_t count);  // on behind modules of these kinds
 void walk_cut(Rewrite *rewrite);                                      // on at the end of the branch
+LLVMValueRef walk_left(const Rewrite *rewrite, uint32_t j, unsigned field);  // of the j-th neighbour, 0 the nearest
 bool walk_has_key(const Rewrite *rewrite, KindId kind);               // the word that is read has this kind's keys
 void walk_store(const Rewrite *rewrite);                              // lets the scans stand at the module at hand
 LLVMValueRef *walk_scans(Ir *ir, LLVMValueRef first);                 // the scans of all views
 LLVMValueRef walk_scan(const Rewrite *rewrite);                       // the one that rewrite->system's contexts look at
 
-// neighbours.c: goes on only where the rest of the strict predecessor and the contexts fit; binds their parameters.
+// neighbours.c: what productions that are tried one after the other share.
+void neighbours_prepare(Rewrite *rewrite, const Productions *productions);
+// Goes on only where the rest of the strict predecessor and the contexts fit; binds their parameters.
 void neighbours_require(Rewrite *rewrite, const Production *production, Slot *slots, LLVMBasicBlockRef fail);
 
 // A module of a successor, evaluated. Its key is made where it is needed (derived_key).
@@ -236,6 +243,10 @@ LLVMValueRef derived_key(Ir *ir, const Derived *module);  // NULL where its kind
 // line.c: modules that are written as they are, with one check for room.
 void line_add(Rewrite *rewrite, KindId kind, LLVMValueRef *args, LLVMValueRef key);
 void line_flush(Rewrite *rewrite);
+// Between the stream and the variables that hold its cursors.
+void line_fetch(const Rewrite *rewrite);
+void line_settle(const Rewrite *rewrite);
+void line_write_out(const Rewrite *rewrite);  // lsys_flush
 // One module whose symbol is known at run time only.
 void line_copy(Rewrite *rewrite, LLVMValueRef symbol, LLVMValueRef *args, uint32_t arity, LLVMValueRef key);
 

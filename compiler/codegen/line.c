@@ -14,18 +14,50 @@ static LLVMTypeRef element(const Ir *ir, unsigned stream) {
   return stream == STREAM_SYM ? ir->types.symbol : stream == STREAM_ARG ? ir->types.f64 : ir->types.i64;
 }
 
+// Where the cursor of a stream stands.
+static LLVMValueRef place(const Rewrite *rewrite, unsigned stream) {
+  Ir *ir = rewrite->scope.ir;
+  if (rewrite->cursor[stream]) return rewrite->cursor[stream];
+  return LLVMBuildStructGEP2(ir->builder, ir->types.stream, rewrite->out, stream, "");
+}
+
+static LLVMValueRef cursor_now(const Rewrite *rewrite, unsigned stream) {
+  Ir *ir = rewrite->scope.ir;
+  return LLVMBuildLoad2(ir->builder, ir->types.ptr, place(rewrite, stream), "");
+}
+
+void line_fetch(const Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  for (unsigned s = 0; s < 3; s++)
+    if (rewrite->cursor[s])
+      LLVMBuildStore(ir->builder, ir_load(ir, ir->types.ptr, rewrite->out, ir->types.stream, s), rewrite->cursor[s]);
+}
+
+void line_settle(const Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  for (unsigned s = 0; s < 3; s++)
+    if (rewrite->cursor[s]) ir_store(ir, cursor_now(rewrite, s), rewrite->out, ir->types.stream, s);
+}
+
+void line_write_out(const Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef lsys_flush = ir_runtime(ir, "lsys_flush", ir->types.none, &ir->types.ptr, 1, IR_ANY), out = rewrite->out;
+  line_settle(rewrite);
+  ir_call(ir, lsys_flush, &out, 1);
+  line_fetch(rewrite);
+}
+
 // Room for count modules, remembered as what the descriptor must promise.
 static void reserve(Rewrite *rewrite, uint32_t count) {
   Ir *ir = rewrite->scope.ir;
   if (ir->room_sym < count) ir->room_sym = count;
-  LLVMValueRef at = ir_load(ir, ir->types.ptr, rewrite->out, ir->types.stream, STREAM_SYM);
+  LLVMValueRef at = cursor_now(rewrite, STREAM_SYM);
   LLVMValueRef limit = ir_load(ir, ir->types.ptr, rewrite->out, ir->types.stream, STREAM_SYM_LIMIT);
   LLVMValueRef end = ir_advance(ir, ir->types.symbol, at, ir_int(ir, count));
   LLVMBasicBlockRef full = ir_block(ir, "full"), room = ir_block(ir, "room");
   ir_branch_unlikely(ir, LLVMBuildICmp(ir->builder, LLVMIntUGT, end, limit, ""), full, room);
   ir_at(ir, full);
-  LLVMValueRef lsys_flush = ir_runtime(ir, "lsys_flush", ir->types.none, &ir->types.ptr, 1, IR_ANY);
-  ir_call(ir, lsys_flush, &rewrite->out, 1);
+  line_write_out(rewrite);
   LLVMBuildBr(ir->builder, room);
   ir_at(ir, room);
 }
@@ -62,14 +94,14 @@ static void store_symbols(const Rewrite *rewrite, LLVMValueRef cursor, uint32_t 
 static void advance(const Rewrite *rewrite, unsigned stream, LLVMValueRef cursor, size_t count) {
   Ir *ir = rewrite->scope.ir;
   LLVMValueRef end = ir_advance(ir, element(ir, stream), cursor, ir_int(ir, count));
-  ir_store(ir, end, rewrite->out, ir->types.stream, stream);
+  LLVMBuildStore(ir->builder, end, place(rewrite, stream));
 }
 
 // Arguments or keys.
 static void store_row(const Rewrite *rewrite, unsigned stream, LLVMValueRef *values, size_t count) {
   Ir *ir = rewrite->scope.ir;
   if (count == 0) return;
-  LLVMValueRef cursor = ir_load(ir, ir->types.ptr, rewrite->out, ir->types.stream, stream);
+  LLVMValueRef cursor = cursor_now(rewrite, stream);
   for (size_t i = 0; i < count; i++)
     LLVMBuildStore(ir->builder, values[i], ir_advance(ir, element(ir, stream), cursor, ir_int(ir, i)));
   advance(rewrite, stream, cursor, count);
@@ -82,7 +114,7 @@ void line_flush(Rewrite *rewrite) {
   uint32_t width = ir->description->flags & LSYS_GRAMMAR_WIDE ? 2 : 1;
   uint32_t copied = rounded((uint32_t)line->kinds.count, width);
   reserve(rewrite, copied);
-  LLVMValueRef cursor = ir_load(ir, ir->types.ptr, rewrite->out, ir->types.stream, STREAM_SYM);
+  LLVMValueRef cursor = cursor_now(rewrite, STREAM_SYM);
   store_symbols(rewrite, cursor, copied, width);
   advance(rewrite, STREAM_SYM, cursor, line->kinds.count);
   store_row(rewrite, STREAM_ARG, line->args.at, line->args.count);
@@ -102,7 +134,7 @@ void line_add(Rewrite *rewrite, KindId kind, LLVMValueRef *args, LLVMValueRef ke
 void line_copy(Rewrite *rewrite, LLVMValueRef symbol, LLVMValueRef *args, uint32_t arity, LLVMValueRef key) {
   Ir *ir = rewrite->scope.ir;
   reserve(rewrite, 1);
-  LLVMValueRef cursor = ir_load(ir, ir->types.ptr, rewrite->out, ir->types.stream, STREAM_SYM);
+  LLVMValueRef cursor = cursor_now(rewrite, STREAM_SYM);
   LLVMSetAlignment(LLVMBuildStore(ir->builder, symbol, cursor), 1);
   advance(rewrite, STREAM_SYM, cursor, 1);
   store_row(rewrite, STREAM_ARG, args, arity);

@@ -83,10 +83,10 @@ static LLVMValueRef passed_with_strict(Matcher *m) {
 }
 
 // In a ring, a neighbour from around the end of the word stands behind the strict predecessor.
-static void require_behind(Matcher *m, LLVMValueRef neighbour) {
+static void require_behind(Matcher *m, uint32_t j) {
   Ir *ir = m->rewrite->scope.ir;
   LLVMValueRef zero = LLVMConstInt(ir->types.i32, 0, false), passed = passed_with_strict(m);
-  LLVMValueRef wrap = ir_load(ir, ir->types.i32, neighbour, ir->types.neighbour, NEIGHBOUR_WRAP);
+  LLVMValueRef wrap = walk_left(m->rewrite, j, NEIGHBOUR_WRAP);
   LLVMValueRef near = LLVMBuildICmp(ir->builder, LLVMIntEQ, wrap, zero, "");
   LLVMValueRef behind = LLVMBuildICmp(ir->builder, LLVMIntUGT, wrap, passed, "");
   require(m, LLVMBuildOr(ir->builder, near, behind, ""));
@@ -104,11 +104,9 @@ static void match_left(Matcher *m) {
       require_kind(m, ir_load(ir, ir->types.i32, scan, ir->types.scan, SCAN_FRESH), 1);
       continue;
     }
-    LLVMValueRef window = ir_load(ir, ir->types.ptr, scan, ir->types.scan, SCAN_LEFT);
-    LLVMValueRef at = ir_advance(ir, ir->types.neighbour, window, ir_int(ir, j++));
-    require_kind(m, ir_load(ir, ir->types.i32, at, ir->types.neighbour, NEIGHBOUR_KIND), left->at[p].kind);
-    if (ring) require_behind(m, at);
-    bind(m, &left->at[p], ir_load(ir, ir->types.ptr, at, ir->types.neighbour, NEIGHBOUR_ARG));
+    require_kind(m, walk_left(m->rewrite, j, NEIGHBOUR_KIND), left->at[p].kind);
+    if (ring) require_behind(m, j);
+    bind(m, &left->at[p], walk_left(m->rewrite, j++, NEIGHBOUR_ARG));
   }
 }
 
@@ -215,13 +213,141 @@ static void match_axis(Matcher *m, size_t p, size_t end, LLVMValueRef cursor, bo
   }
 }
 
+static bool direct(const Matcher *m) {
+  const Context *right = &m->production->right;
+  return m->production->strict.count == 1 && right->at[0].what == PATTERN_MODULE && !closes(m, &right->at[0]);
+}
+
+// ---- one module on the right -----------------------------------------------------
+//
+// The most frequent right context. Behind a seen module, the next one mostly stands there at once or behind a few
+// ignored modules: the loop looks there itself, and calls where a branch or the end of the word is in between.
+
+static uint8_t class_of(const Rewrite *rewrite, KindId kind) {
+  const Ir *ir = rewrite->scope.ir;
+  return ir->description->views[ir->facts->systems[rewrite->system].view].context_class[kind];
+}
+
+static bool looks_itself(const Rewrite *rewrite, const Production *production) {
+  const Matcher m = {.rewrite = (Rewrite *)rewrite, .production = production};
+  return rewrite->walk->sym && production->right.count == 1 && direct(&m)
+      && class_of(rewrite, rewrite->kind) == LSYS_CLASS_SEEN;
+}
+
+typedef struct Look {
+  LLVMValueRef sym, arg, kind, found;  // phis: of the place looked at; of the result
+  LLVMBasicBlockRef again, done;
+} Look;
+
+static void look_further(Rewrite *rewrite, Look *look, uint32_t arity) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMBasicBlockRef here = LLVMGetInsertBlock(ir->builder);
+  LLVMValueRef sym = ir_advance(ir, ir->types.symbol, look->sym, ir_int(ir, 1));
+  LLVMValueRef arg = ir_advance(ir, ir->types.f64, look->arg, ir_int(ir, arity));
+  LLVMBuildBr(ir->builder, look->again);
+  LLVMAddIncoming(look->sym, &sym, &here, 1);
+  LLVMAddIncoming(look->arg, &arg, &here, 1);
+}
+
+static void look_done(Rewrite *rewrite, Look *look, LLVMValueRef kind, LLVMValueRef found) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMBasicBlockRef here = LLVMGetInsertBlock(ir->builder);
+  LLVMBuildBr(ir->builder, look->done);
+  LLVMAddIncoming(look->kind, &kind, &here, 1);
+  LLVMAddIncoming(look->found, &found, &here, 1);
+}
+
+// By the run time.
+static void look_by_call(Rewrite *rewrite, Look *look) {
+  Ir *ir = rewrite->scope.ir;
+  Matcher m = {.rewrite = rewrite};
+  LLVMValueRef cursor = make_cursor(&m);
+  walk_store(rewrite);
+  LLVMValueRef kind = ahead(&m, cursor, true);
+  look_done(rewrite, look, kind, ir_load(ir, ir->types.ptr, cursor, ir->types.cursor, CURSOR_FOUND));
+}
+
+// What stands at look->sym: the neighbour, or something that lies in between.
+static void look_at(Rewrite *rewrite, Look *look, LLVMBasicBlockRef call) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef symbol = LLVMBuildLoad2(ir->builder, ir->types.symbol, look->sym, "");
+  LLVMSetAlignment(symbol, 1);
+  LLVMBasicBlockRef seen = ir_block(ir, "seen");
+  LLVMValueRef choice = LLVMBuildSwitch(ir->builder, symbol, seen, (unsigned)ir->program->kind_count);
+  for (KindId kind = 0; kind < ir->program->kind_count; kind++) {
+    uint8_t class = class_of(rewrite, kind);
+    if (class == LSYS_CLASS_SEEN || !ir->facts->kinds[kind].reachable) continue;
+    LLVMBasicBlockRef block = class == LSYS_CLASS_OPEN ? call : ir_block(ir, "between");
+    LLVMAddCase(choice, LLVMConstInt(ir->types.symbol, kind, false), block);
+    if (class == LSYS_CLASS_OPEN) continue;
+    ir_at(ir, block);
+    if (class == LSYS_CLASS_IGNORED)
+      look_further(rewrite, look, ir->program->kinds[kind].arity);
+    else
+      look_done(rewrite, look, LLVMConstInt(ir->types.i32, LSYS_NO_MODULE, false), look->arg);
+  }
+  ir_at(ir, seen);
+  look_done(rewrite, look, LLVMBuildZExt(ir->builder, symbol, ir->types.i32, ""), look->arg);
+}
+
+// The kind and the arguments of the next seen module behind the one at hand.
+static void look(Rewrite *rewrite, LLVMValueRef *kind, LLVMValueRef *found) {
+  Ir *ir = rewrite->scope.ir;
+  const Walk *walk = rewrite->walk;
+  Look look = {.again = ir_block(ir, "look"), .done = ir_block(ir, "looked")};
+  LLVMBasicBlockRef here = LLVMGetInsertBlock(ir->builder), at = ir_block(ir, "at"), call = ir_block(ir, "call");
+  LLVMValueRef sym = ir_advance(ir, ir->types.symbol, walk->sym, ir_int(ir, 1));
+  LLVMValueRef arg = ir_advance(ir, ir->types.f64, walk->arg, ir_int(ir, ir->program->kinds[rewrite->kind].arity));
+  LLVMBuildBr(ir->builder, look.again);
+  ir_at(ir, look.done);
+  look.kind = LLVMBuildPhi(ir->builder, ir->types.i32, "ahead");
+  look.found = LLVMBuildPhi(ir->builder, ir->types.ptr, "found");
+  ir_at(ir, look.again);
+  look.sym = LLVMBuildPhi(ir->builder, ir->types.ptr, "");
+  look.arg = LLVMBuildPhi(ir->builder, ir->types.ptr, "");
+  LLVMAddIncoming(look.sym, &sym, &here, 1);
+  LLVMAddIncoming(look.arg, &arg, &here, 1);
+  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, look.sym, walk->end, ""), call, at);
+  ir_at(ir, call);
+  look_by_call(rewrite, &look);
+  ir_at(ir, at);
+  look_at(rewrite, &look, call);
+  ir_at(ir, look.done);
+  *kind = look.kind;
+  *found = look.found;
+}
+
+void neighbours_prepare(Rewrite *rewrite, const Productions *productions) {
+  Walk *walk = rewrite->walk;
+  size_t looking = 0, others = 0;
+  for (size_t i = 0; i < productions->count; i++) {
+    const Production *production = productions->at[i];
+    if (!production->right.count) continue;
+    looks_itself(rewrite, production) ? looking++ : others++;
+  }
+  walk->ahead = NULL;
+  if (others) walk_store(rewrite);
+  if (looking > 1) look(rewrite, &walk->ahead, &walk->found);  // once for all of them
+}
+
+static void match_one(Matcher *m) {
+  LLVMValueRef kind = m->rewrite->walk->ahead, found = m->rewrite->walk->found;
+  if (!kind) look(m->rewrite, &kind, &found);
+  require_kind(m, kind, m->production->right.at[0].kind);
+  bind(m, &m->production->right.at[0], found);
+}
+
 static void match_right(Matcher *m) {
   const Context *right = &m->production->right;
   if (!right->count) return;
+  if (looks_itself(m->rewrite, m->production)) {
+    match_one(m);
+    return;
+  }
   LLVMValueRef cursor = make_cursor(m);
-  bool direct = m->production->strict.count == 1 && right->at[0].what == PATTERN_MODULE && !closes(m, &right->at[0]);
-  if (!direct) put_behind(m, cursor);
-  match_axis(m, 0, right->count, cursor, direct);
+  bool first = direct(m);
+  if (!first) put_behind(m, cursor);
+  match_axis(m, 0, right->count, cursor, first);
 }
 
 void neighbours_require(Rewrite *rewrite, const Production *production, Slot *slots, LLVMBasicBlockRef fail) {

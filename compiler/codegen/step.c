@@ -60,11 +60,10 @@ static void begin(Rewrite *rewrite) {
 
 static void prepare(Rewrite *rewrite, const Productions *productions) {
   Ir *ir = rewrite->scope.ir;
-  bool tables = false, counts = false, right = false;
+  bool tables = false, counts = false;
   for (size_t i = 0; i < productions->count; i++) {
     tables |= productions->at[i]->table >= 0;
     counts |= counters_needed(ir, productions->at[i]);
-    right |= productions->at[i]->right.count;
   }
   rewrite->table = tables ? rewrite->walk->tables[rewrite->system] : NULL;
   rewrite->scope.counters = NULL;
@@ -72,7 +71,7 @@ static void prepare(Rewrite *rewrite, const Productions *productions) {
     rewrite->scope.counters = rewrite->walk->counters;
     counters_clear(ir, rewrite->scope.counters);
   }
-  if (right) walk_store(rewrite);
+  neighbours_prepare(rewrite, productions);
 }
 
 static void rewrite_module(Rewrite *rewrite) {

@@ -75,26 +75,77 @@ static void reach(Rewrite *rewrite, uint32_t view) {
   if (walk->left && ir->description->views[view].ring) count_passed(ir, walk->scans[view]);
 }
 
+// ---- the window ----------------------------------------------------------------
+
+static LLVMTypeRef field_type(const Ir *ir, unsigned field) {
+  return field == NEIGHBOUR_ARG ? ir->types.ptr : ir->types.i32;
+}
+
+static LLVMValueRef in_scan(const Rewrite *rewrite, uint32_t view, uint32_t j, unsigned field) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMTypeRef type = ir->types.neighbour;
+  LLVMValueRef left = ir_load(ir, ir->types.ptr, rewrite->walk->scans[view], ir->types.scan, SCAN_LEFT);
+  return LLVMBuildStructGEP2(ir->builder, type, ir_advance(ir, type, left, ir_int(ir, j)), field, "");
+}
+
+// Where a field of a left neighbour is kept up.
+static LLVMValueRef neighbour(const Rewrite *rewrite, uint32_t view, uint32_t j, unsigned field) {
+  if (!rewrite->walk->window) return in_scan(rewrite, view, j, field);
+  return rewrite->walk->window[((size_t)view * rewrite->scope.ir->description->left_window + j) * NEIGHBOUR_FIELDS
+                               + field];
+}
+
+static void copy_field(Ir *ir, LLVMValueRef from, LLVMValueRef to, unsigned field) {
+  LLVMBuildStore(ir->builder, LLVMBuildLoad2(ir->builder, field_type(ir, field), from, ""), to);
+}
+
+LLVMValueRef walk_left(const Rewrite *rewrite, uint32_t j, unsigned field) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef at = neighbour(rewrite, ir->facts->systems[rewrite->system].view, j, field);
+  return LLVMBuildLoad2(ir->builder, field_type(ir, field), at, "");
+}
+
+static void load_window(const Rewrite *rewrite, uint32_t view) {
+  if (!rewrite->walk->window) return;
+  for (uint32_t j = 0; j < rewrite->scope.ir->description->left_window; j++)
+    for (unsigned f = 0; f < NEIGHBOUR_FIELDS; f++)
+      copy_field(rewrite->scope.ir, in_scan(rewrite, view, j, f), neighbour(rewrite, view, j, f), f);
+}
+
+static void store_window(const Rewrite *rewrite, uint32_t view) {
+  if (!rewrite->walk->window) return;
+  for (uint32_t j = 0; j < rewrite->scope.ir->description->left_window; j++)
+    for (unsigned f = 0; f < NEIGHBOUR_FIELDS; f++)
+      copy_field(rewrite->scope.ir, neighbour(rewrite, view, j, f), in_scan(rewrite, view, j, f), f);
+}
+
+// Variables for the windows.
+static void make_window(const Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  size_t count = (size_t)views(ir) * ir->description->left_window * NEIGHBOUR_FIELDS;
+  rewrite->walk->window = arena_array(ir->arena, count, sizeof(LLVMValueRef));
+  for (size_t i = 0; i < count; i++)
+    rewrite->walk->window[i] = ir_local(ir, field_type(ir, (unsigned)(i % NEIGHBOUR_FIELDS)), 1, "left");
+  for (uint32_t view = 0; view < views(ir); view++) load_window(rewrite, view);
+}
+
 // A seen module becomes the nearest one on the left.
 static void move_window(Rewrite *rewrite, uint32_t view, KindId kind, LLVMValueRef arg) {
   Ir *ir = rewrite->scope.ir;
-  LLVMValueRef scan = rewrite->walk->scans[view];
-  set_flag(ir, scan, SCAN_FRESH, 0);
-  bool ring = ir->description->views[view].ring;
+  if (rewrite->walk->begins) set_flag(ir, rewrite->walk->scans[view], SCAN_FRESH, 0);
   uint32_t window = ir->description->left_window;
   if (!window) return;
-  LLVMTypeRef type = ir->types.neighbour;
-  LLVMValueRef left = ir_load(ir, ir->types.ptr, scan, ir->types.scan, SCAN_LEFT);
-  for (uint32_t i = window; i-- > 1;) {
-    LLVMValueRef from = ir_advance(ir, type, left, ir_int(ir, i - 1)), to = ir_advance(ir, type, left, ir_int(ir, i));
-    ir_store(ir, ir_load(ir, ir->types.i32, from, type, NEIGHBOUR_KIND), to, type, NEIGHBOUR_KIND);
-    if (ring) ir_store(ir, ir_load(ir, ir->types.i32, from, type, NEIGHBOUR_WRAP), to, type, NEIGHBOUR_WRAP);
-    ir_store(ir, ir_load(ir, ir->types.ptr, from, type, NEIGHBOUR_ARG), to, type, NEIGHBOUR_ARG);
-  }
-  if (ring) ir_store(ir, LLVMConstInt(ir->types.i32, 0, false), left, type, NEIGHBOUR_WRAP);
-  ir_store(ir, LLVMConstInt(ir->types.i32, kind, false), left, type, NEIGHBOUR_KIND);
-  ir_store(ir, arg, left, type, NEIGHBOUR_ARG);
+  for (uint32_t j = window; j-- > 1;)
+    for (unsigned f = 0; f < NEIGHBOUR_FIELDS; f++)
+      copy_field(ir, neighbour(rewrite, view, j - 1, f), neighbour(rewrite, view, j, f), f);
+  LLVMValueRef fields[] = {[NEIGHBOUR_KIND] = LLVMConstInt(ir->types.i32, kind, false),
+                           [NEIGHBOUR_WRAP] = LLVMConstInt(ir->types.i32, 0, false),
+                           [NEIGHBOUR_ARG] = arg};
+  for (unsigned f = 0; f < NEIGHBOUR_FIELDS; f++)
+    LLVMBuildStore(ir->builder, fields[f], neighbour(rewrite, view, 0, f));
 }
+
+// ---- passing -------------------------------------------------------------------
 
 // One view passes a module.
 static void pass(Rewrite *rewrite, uint32_t view, KindId kind, LLVMValueRef arg) {
@@ -103,8 +154,14 @@ static void pass(Rewrite *rewrite, uint32_t view, KindId kind, LLVMValueRef arg)
   uint8_t class = class_of(ir, view, kind);
   if (class == LSYS_CLASS_SEEN && walk->left) move_window(rewrite, view, kind, arg);
   if (!walk->left && !walk->right) return;
-  if (class == LSYS_CLASS_OPEN) scan_call(ir, walk->scans[view], "lsys_scan_open");
-  if (class == LSYS_CLASS_CLOSE) scan_call(ir, walk->scans[view], "lsys_scan_close");
+  if (class == LSYS_CLASS_OPEN) {
+    store_window(rewrite, view);
+    scan_call(ir, walk->scans[view], "lsys_scan_open");
+  }
+  if (class == LSYS_CLASS_CLOSE) {
+    scan_call(ir, walk->scans[view], "lsys_scan_close");
+    load_window(rewrite, view);
+  }
 }
 
 void walk_pass(Rewrite *rewrite, const KindId *kinds, size_t count) {
@@ -264,6 +321,7 @@ static void run_loop(Rewrite *rewrite, Each each) {
   dispatch(rewrite, symbol, each);
   ir_at(ir, done);
   walk_store(rewrite);
+  line_settle(rewrite);
   LLVMBuildRetVoid(ir->builder);
 }
 
@@ -278,9 +336,18 @@ static void find_contexts(const Rewrite *rewrite) {
                                                                    : &lsystem->homomorphism.productions;
     for (size_t i = 0; i < productions->count; i++) {
       walk->left |= productions->at[i]->left.count;
+      for (size_t p = 0; p < productions->at[i]->left.count; p++)
+        walk->begins |= productions->at[i]->left.at[p].what == PATTERN_OPEN;
       walk->right |= productions->at[i]->right.count;
     }
   }
+}
+
+// Whether nothing but the loop itself writes to the stream and looks around: what it keeps up can be variables.
+static bool alone(const Ir *ir) {
+  for (size_t s = 0; s < ir->program->lsystem_count; s++)
+    if (ir->program->lsystems[s].decomposition.productions.count) return false;
+  return true;
 }
 
 LLVMValueRef walk_emit(Ir *ir, const char *name, Way way, Each begin, Each each) {
@@ -298,6 +365,11 @@ LLVMValueRef walk_emit(Ir *ir, const char *name, Way way, Each begin, Each each)
   rewrite.silent = way == WAY_INTERPRET;
   rewrite.left = rewrite.steps = ir_int(ir, 0);
   find_contexts(&rewrite);
+  if (way == WAY_STEP && alone(ir)) {
+    if (walk.left) make_window(&rewrite);
+    for (unsigned s = 0; s < 3; s++) rewrite.cursor[s] = ir_local(ir, ir->types.ptr, 1, "out");
+    line_fetch(&rewrite);
+  }
   if (begin) begin(&rewrite);
   run_loop(&rewrite, each);
   return function;
