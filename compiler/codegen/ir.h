@@ -176,6 +176,7 @@ typedef struct Walk {
   bool left, right;                           // some production that is tried has such a context
   LLVMValueRef *window;                       // per view, neighbour and field: its variable; NULL: all in the scans
   bool begins;                                // a left context asks for `[`
+  LLVMValueRef stop;                          // a variable: there is room up to here; NULL: that is asked line by line
   LLVMValueRef ahead, found;                  // kind and arguments of the next seen module, once known
   LLVMValueRef *tables;                       // T0L: each L-system's table of this step
   LLVMValueRef counters;
@@ -190,6 +191,7 @@ typedef struct Rewrite {
   LLVMValueRef *args;           // the module's arguments
   LLVMValueRef out;             // the stream
   LLVMValueRef cursor[3];       //   and variables that hold its cursors meanwhile, if not NULL
+  bool roomy;                   //   it was made sure that there is room
   LLVMValueRef ahead;           // WAY_EXPAND: steps before out->stop
   LLVMValueRef steps;           // WAY_EXPAND: steps left, this one included; WAY_DECOMPOSE: behind this step
   LLVMValueRef depth;           // levels left, this one included; NULL in WAY_EXPAND
@@ -214,13 +216,13 @@ bool select_production(Rewrite *rewrite, const Productions *productions, Take ta
 // belongs to rewrite->system, and ends with walk_pass or walk_cut; `begin`, unless NULL, what is known before the loop.
 typedef void (*Each)(Rewrite *rewrite);
 LLVMValueRef walk_emit(Ir *ir, const char *name, Way way, Each begin, Each each);
-void walk_pass(Rewrite *rewrite, const KindId *kinds, size_t count);  // on behind modules of these kinds
-void walk_cut(Rewrite *rewrite);                                      // on at the end of the branch
+void walk_pass(Rewrite *rewrite, const KindId *kinds, size_t count);         // on behind modules of these kinds
+void walk_cut(Rewrite *rewrite);                                             // on at the end of the branch
 LLVMValueRef walk_left(const Rewrite *rewrite, uint32_t j, unsigned field);  // of the j-th neighbour, 0 the nearest
-bool walk_has_key(const Rewrite *rewrite, KindId kind);               // the word that is read has this kind's keys
-void walk_store(const Rewrite *rewrite);                              // lets the scans stand at the module at hand
-LLVMValueRef *walk_scans(Ir *ir, LLVMValueRef first);                 // the scans of all views
-LLVMValueRef walk_scan(const Rewrite *rewrite);                       // the one that rewrite->system's contexts look at
+bool walk_has_key(const Rewrite *rewrite, KindId kind);  // the word that is read has this kind's keys
+void walk_store(const Rewrite *rewrite);                 // lets the scans stand at the module at hand
+LLVMValueRef *walk_scans(Ir *ir, LLVMValueRef first);    // the scans of all views
+LLVMValueRef walk_scan(const Rewrite *rewrite);          // the one that rewrite->system's contexts look at
 
 // neighbours.c: what productions that are tried one after the other share.
 void neighbours_prepare(Rewrite *rewrite, const Productions *productions);
@@ -243,6 +245,7 @@ LLVMValueRef derived_key(Ir *ir, const Derived *module);  // NULL where its kind
 // line.c: modules that are written as they are, with one check for room.
 void line_add(Rewrite *rewrite, KindId kind, LLVMValueRef *args, LLVMValueRef key);
 void line_flush(Rewrite *rewrite);
+uint64_t line_most(uint64_t n);  // places for symbols that lines of n modules ask for at most
 // Between the stream and the variables that hold its cursors.
 void line_fetch(const Rewrite *rewrite);
 void line_settle(const Rewrite *rewrite);

@@ -47,9 +47,15 @@ void line_write_out(const Rewrite *rewrite) {
   line_fetch(rewrite);
 }
 
+// Lines are rounded up.
+uint64_t line_most(uint64_t n) {
+  return n + 16 * (n / LONGEST_LINE + 1);
+}
+
 // Room for count modules, remembered as what the descriptor must promise.
 static void reserve(Rewrite *rewrite, uint32_t count) {
   Ir *ir = rewrite->scope.ir;
+  if (rewrite->roomy) return;
   if (ir->room_sym < count) ir->room_sym = count;
   LLVMValueRef at = cursor_now(rewrite, STREAM_SYM);
   LLVMValueRef limit = ir_load(ir, ir->types.ptr, rewrite->out, ir->types.stream, STREAM_SYM_LIMIT);

@@ -91,8 +91,8 @@ static LLVMValueRef in_scan(const Rewrite *rewrite, uint32_t view, uint32_t j, u
 // Where a field of a left neighbour is kept up.
 static LLVMValueRef neighbour(const Rewrite *rewrite, uint32_t view, uint32_t j, unsigned field) {
   if (!rewrite->walk->window) return in_scan(rewrite, view, j, field);
-  return rewrite->walk->window[((size_t)view * rewrite->scope.ir->description->left_window + j) * NEIGHBOUR_FIELDS
-                               + field];
+  return rewrite->walk
+    ->window[((size_t)view * rewrite->scope.ir->description->left_window + j) * NEIGHBOUR_FIELDS + field];
 }
 
 static void copy_field(Ir *ir, LLVMValueRef from, LLVMValueRef to, unsigned field) {
@@ -286,6 +286,38 @@ static void dispatch(Rewrite *rewrite, LLVMValueRef symbol, Each each) {
   LLVMBuildUnreachable(ir->builder);
 }
 
+// How many modules there is room for, whatever they become, of those that are left.
+static LLVMValueRef count_room(const Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  const Walk *walk = rewrite->walk;
+  LLVMTypeRef symbol = ir->types.symbol;
+  LLVMValueRef limit = ir_load(ir, ir->types.ptr, rewrite->out, ir->types.stream, STREAM_SYM_LIMIT);
+  LLVMValueRef at = LLVMBuildLoad2(ir->builder, ir->types.ptr, rewrite->cursor[STREAM_SYM], "");
+  LLVMValueRef room = LLVMBuildPtrDiff2(ir->builder, symbol, limit, at, "");
+  LLVMValueRef most = ir_int(ir, line_most(ir->facts->longest_successor));
+  LLVMValueRef args[] = {LLVMBuildPtrDiff2(ir->builder, symbol, walk->end, walk->sym, ""),
+                         LLVMBuildUDiv(ir->builder, room, most, "")};
+  return ir_call(ir, ir_intrinsic(ir, "llvm.umin", ir->types.i64), args, 2);
+}
+
+// One check for many modules: on to the head with walk->stop behind them, or to done.
+static void make_room(Rewrite *rewrite, LLVMBasicBlockRef head, LLVMBasicBlockRef done) {
+  Ir *ir = rewrite->scope.ir;
+  Walk *walk = rewrite->walk;
+  LLVMBasicBlockRef more = ir_block(ir, "more"), full = ir_block(ir, "full");
+  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, walk->sym, walk->end, ""), done, more);
+  ir_at(ir, more);
+  LLVMValueRef n = count_room(rewrite);
+  LLVMBuildStore(ir->builder, ir_advance(ir, ir->types.symbol, walk->sym, n), walk->stop);
+  ir_branch_unlikely(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, n, ir_int(ir, 0), ""), full, head);
+  LLVMAddIncoming(walk->sym, &walk->sym, &more, 1);
+  LLVMAddIncoming(walk->arg, &walk->arg, &more, 1);
+  LLVMAddIncoming(walk->key, &walk->key, &more, 1);
+  ir_at(ir, full);
+  line_write_out(rewrite);
+  LLVMBuildBr(ir->builder, more);
+}
+
 static LLVMValueRef phi(Ir *ir, const char *name) {
   return LLVMBuildPhi(ir->builder, ir->types.ptr, name);
 }
@@ -314,7 +346,15 @@ static void run_loop(Rewrite *rewrite, Each each) {
     *variables[i] = phi(ir, "");
     LLVMAddIncoming(*variables[i], (LLVMValueRef[]){first[i], latch[i]}, (LLVMBasicBlockRef[]){entry, walk->next}, 2);
   }
-  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, walk->sym, walk->end, ""), done, body);
+  if (walk->stop) {
+    LLVMBasicBlockRef refill = ir_block(ir, "refill");
+    LLVMValueRef stop = LLVMBuildLoad2(ir->builder, ptr, walk->stop, "stop");
+    ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntULT, walk->sym, stop, ""), body, refill);
+    ir_at(ir, refill);
+    make_room(rewrite, head, done);
+  } else {
+    ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, walk->sym, walk->end, ""), done, body);
+  }
   ir_at(ir, body);
   LLVMValueRef symbol = LLVMBuildLoad2(ir->builder, ir->types.symbol, walk->sym, "symbol");
   LLVMSetAlignment(symbol, 1);
@@ -369,6 +409,11 @@ LLVMValueRef walk_emit(Ir *ir, const char *name, Way way, Each begin, Each each)
     if (walk.left) make_window(&rewrite);
     for (unsigned s = 0; s < 3; s++) rewrite.cursor[s] = ir_local(ir, ir->types.ptr, 1, "out");
     line_fetch(&rewrite);
+    walk.stop = ir_local(ir, ir->types.ptr, 1, "stop");
+    LLVMBuildStore(ir->builder, LLVMConstNull(ir->types.ptr), walk.stop);
+    rewrite.roomy = true;
+    uint64_t most = line_most(ir->facts->longest_successor);
+    if (ir->room_sym < most) ir->room_sym = (uint32_t)most;
   }
   if (begin) begin(&rewrite);
   run_loop(&rewrite, each);
