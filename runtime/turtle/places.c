@@ -1,12 +1,12 @@
 // places.c -- a set of places, each known by a 64-bit hash of its coordinates,
-// rounded so that two ways to the same one agree. Of 2^21 places the chance
-// that two hashes collide is 2^-23.
+// rounded so that two ways to the same one agree. Of 2^18 places the chance
+// that two hashes collide is 2^-29.
 #include "turtle/places.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { MOST_PLACES = 1 << 21 };
+enum { MOST_PLACES = 1 << 18 };
 
 static const double GRAIN = 1e6;  // places nearer than a millionth of a unit are one
 

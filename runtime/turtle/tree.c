@@ -22,6 +22,7 @@ typedef struct Axis {
 
 struct LsysTree {
   const LsysGrammar *grammar;
+  bool branches;  // the grammar has `[`
   uint8_t *what;  // of each kind: 1 draws, 2 `[`, 3 `]`
   Axis *axis;
   size_t axes, axis_room;
@@ -56,7 +57,10 @@ LsysTree *lsys_tree_create(const LsysGrammar *grammar) {
     return NULL;
   }
   t->grammar = grammar;
-  for (uint32_t i = 0; i < grammar->kind_count; i++) t->what[i] = what_of(grammar->kinds[i].turtle);
+  for (uint32_t i = 0; i < grammar->kind_count; i++) {
+    t->what[i] = what_of(grammar->kinds[i].turtle);
+    t->branches |= t->what[i] == OPENS;
+  }
   return t;
 }
 
@@ -151,13 +155,16 @@ void lsys_tree_begin(LsysTree *t) {
 
 bool lsys_tree_take(LsysTree *t, const LsysWord *part) {
   const bool wide = t->grammar->flags & LSYS_GRAMMAR_WIDE;
+  if (!t->branches) return true;
   if (!t->axes && !open_axis(t)) return false;
   for (uint64_t i = 0; i < part->nsym; i++) {
     uint32_t kind = wide ? part->sym[2 * i] | (uint32_t)part->sym[2 * i + 1] << 8 : part->sym[i];
     uint8_t what = t->what[kind];
-    if (what == CLOSES) close_axis(t);
-    if (what == OPENS && !open_axis(t)) return false;
-    if (what == DRAWS && !segment(t)) return false;
+    if (!what) continue;
+    if (what == CLOSES)
+      close_axis(t);
+    else if (!(what == DRAWS ? segment(t) : open_axis(t)))
+      return false;
   }
   return true;
 }

@@ -22,7 +22,7 @@ void lsys_tree_begin(LsysTree *tree);
 bool lsys_tree_take(LsysTree *tree, const LsysWord *part);
 void lsys_tree_end(LsysTree *tree);
 
-// After the end. Orders count from 1; order[0] is not used.
+// After the end; nothing is counted where the grammar has no brackets. Orders count from 1; order[0] is not used.
 typedef struct LsysTreeOrders {
   uint64_t segments[LSYS_TREE_ORDERS + 1];  // of each Gravelius order
   uint64_t axes[LSYS_TREE_ORDERS + 1];      // axes of each Gravelius order that have a segment

@@ -10,8 +10,8 @@
 // A grammar without productions, a run and a word of it, made from text: modules such as F(1,2) or
 // @s(2); every pair of symbol and number of arguments is a kind.
 typedef struct Sample {
-  LsysKind kind[64];
-  char name[64][4];
+  LsysKind kind[256];
+  char name[256][4];
   LsysGrammar grammar;
   LsysRun run;
   double value[LSYS_SETTING_COUNT];

@@ -343,14 +343,14 @@ static void orders_of_trees(void **state) {
     uint64_t segments[3], axes[3], streams[3];
     uint32_t strahler;
   } cases[] = {
-    {"FFF", {3}, {1}, {1}, 1},
+    {"FFF[]", {3}, {1}, {1}, 1},
     {"F[+F]F[-F]F", {3, 2}, {1, 2}, {3, 1}, 2},
     {"F[+F][-F]", {1, 2}, {1, 2}, {2, 1}, 2},
     {"F[+F[F]F][-F[F]F]", {1, 4, 2}, {1, 2, 2}, {4, 2, 1}, 3},
     {"F[+F[F]F]F[F]F", {3, 3, 1}, {1, 2, 1}, {4, 2, 1}, 3},
     {"F[+F[F]F]F", {2, 2, 1}, {1, 1, 1}, {3, 1}, 2},
     {"F[f][]F]F[F", {3, 1}, {1, 1}, {1}, 1},
-    {"f", {0}, {0}, {0}, 0},
+    {"f[]", {0}, {0}, {0}, 0},
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     Sample *s = sample(cases[i].word, 30);
