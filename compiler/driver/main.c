@@ -11,6 +11,7 @@
 #include "interp/interp.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct Session {
   const Options *options;
@@ -33,14 +34,33 @@ static bool printed(void) {
 
 // ---- what is done with a checked grammar ---------------------------------
 
+// Whether a -D goes to the program: not where it defined a macro.
+static bool is_for_program(const Session *session, const char *definition) {
+  const Program *program = session->checked;
+  if (!program->rules.textual_macros) return true;
+  size_t length = strcspn(definition, "=");
+  for (size_t i = 0; i < program->value_count; i++) {
+    const Value *value = &program->values[i];
+    if (value->kind == VALUE_PARAM && strlen(value->name) == length && memcmp(value->name, definition, length) == 0)
+      return true;
+  }
+  return false;
+}
+
 // The command line of the program: "lsysc run plant.lsys" stands for its name.
 static int run_program(const Session *session, const LsysGrammar *grammar) {
   const Options *options = session->options;
-  size_t count = options->passed.count;
-  char **argv = arena_array(session->arena, count + 2, sizeof *argv);
-  argv[0] = arena_printf(session->arena, "lsysc %s %s", command_table[options->command].name, options->files.at[0]);
-  for (size_t i = 0; i < count; i++) argv[i + 1] = (char *)options->passed.at[i];
-  return lsys_main(grammar, (int)count + 1, argv);
+  size_t count = 0, most = 2 + 2 * options->given.count + options->passed.count;
+  char **argv = arena_array(session->arena, most, sizeof *argv);
+  argv[count++] =
+    arena_printf(session->arena, "lsysc %s %s", command_table[options->command].name, options->files.at[0]);
+  for (size_t i = 0; i < options->given.count; i++) {
+    if (!is_for_program(session, options->given.at[i])) continue;
+    argv[count++] = (char *)"-D";
+    argv[count++] = (char *)options->given.at[i];
+  }
+  for (size_t i = 0; i < options->passed.count; i++) argv[count++] = (char *)options->passed.at[i];
+  return lsys_main(grammar, (int)count, argv);
 }
 
 static int run_jit(const Session *session) {

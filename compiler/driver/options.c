@@ -7,6 +7,7 @@
 #include "driver/report.h"
 
 #include <string.h>
+#include <sys/stat.h>
 
 enum {
 #define COMMAND(id, name, arguments, summary, doc) ON_##id = 1 << COMMAND_##id,
@@ -28,7 +29,7 @@ const OptionRow option_table[OPTION_COUNT] = {
 typedef struct Reader {
   Arena *arena;
   Options *options;
-  Strings include_dirs;
+  Strings include_dirs, defines;
   char **at;  // the rest of argv, NULL at its end
 } Reader;
 
@@ -47,6 +48,20 @@ static void set_emit(Options *options, int place) {
   static const EmitKind kinds[] = {EMIT_OBJECT, EMIT_OBJECT, EMIT_ASSEMBLY, EMIT_LLVM, EMIT_BITCODE};
   options->program = place == 0;
   options->backend.emit = kinds[place];
+}
+
+// Options behind the grammar of `run` and `interp` are the program's, too.
+static bool runs_file(const Options *options) {
+  return options->files.count > 0 && (options->command == COMMAND_RUN || options->command == COMMAND_INTERP);
+}
+
+// A name of C, alone or with `=` behind it.
+static bool is_definition(const char *text) {
+  const char *names = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+  size_t length = strspn(text, names);
+  if (length > 0)
+    while (text[length] && (strchr(names, text[length]) || (text[length] >= '0' && text[length] <= '9'))) length++;
+  return length > 0 && (!text[length] || text[length] == '=') && !strchr(text, '\n');
 }
 
 // place: of value in the option's list of accepted values; 0 for options without such a list.
@@ -82,6 +97,10 @@ static bool apply(Reader *reader, OptionId id, const char *value, int place) {
     break;
   case OPTION_INCLUDE:
     *VEC_PUSH(reader->arena, &reader->include_dirs) = value;
+    break;
+  case OPTION_DEFINE:
+    if (!is_definition(value)) return report_error("`-D` takes NAME=VALUE, not `%s`", value);
+    *VEC_PUSH(reader->arena, runs_file(options) ? &options->given : &reader->defines) = value;
     break;
   case OPTION_DIALECT:
     options->parse.dialect = value;
@@ -169,8 +188,7 @@ static bool unknown(const Reader *reader, const char *argument) {
 
 static bool take_argument(Reader *reader, const char *argument) {
   Options *options = reader->options;
-  bool runs = options->command == COMMAND_RUN || options->command == COMMAND_INTERP;
-  bool behind_file = runs && options->files.count > 0;
+  bool behind_file = runs_file(options);
   if (argument[0] == '-' && argument[1]) {
     for (int id = 0; id < OPTION_COUNT; id++) {
       const char *value;
@@ -192,19 +210,34 @@ static bool take_argument(Reader *reader, const char *argument) {
 
 static bool take_rest(Reader *reader) {
   Options *options = reader->options;
-  bool runs = options->command == COMMAND_RUN || options->command == COMMAND_INTERP;
   for (; *reader->at; reader->at++)
-    if (runs && options->files.count > 0)
+    if (runs_file(options))
       *VEC_PUSH(reader->arena, &options->passed) = *reader->at;
     else
       *VEC_PUSH(reader->arena, &options->files) = *reader->at;
   return true;
 }
 
+// A word that is no file's name was hardly meant as one: `lsysc chek plant.lsys`.
+static bool is_command_like(const char *word) {
+  struct stat info;
+  return !strpbrk(word, "./") && strcmp(word, "-") != 0 && stat(word, &info) != 0;
+}
+
+static bool unknown_command(const char *word) {
+  const char *names[COMMAND_COUNT];
+  for (int i = 1; i < COMMAND_COUNT; i++) names[i - 1] = command_table[i].name;
+  const char *nearest = diag_nearest(word, names, COMMAND_COUNT - 1);
+  if (nearest) return report_error("unknown command `%s`; did you mean `%s`?", word, nearest);
+  return report_error("`%s` is no command and no file; `lsysc help` lists the commands", word);
+}
+
 static bool complete(const Options *options) {
   size_t files = options->files.count;
   if (options->help || options->version || options->command == COMMAND_HELP) return true;
   if (files == 0) return report_error("no grammar was given: lsysc %s", command_table[options->command].arguments);
+  if (options->command == COMMAND_COMPILE && is_command_like(options->files.at[0]))
+    return unknown_command(options->files.at[0]);
   if (files > 1 && options->command != COMMAND_CHECK)
     return report_error("one grammar at a time, not `%s` and `%s`", options->files.at[0], options->files.at[1]);
   return true;
@@ -230,6 +263,10 @@ bool options_parse(Arena *arena, int argc, char **argv, Options *options) {
   }
   options->parse.include_dirs = reader.include_dirs.at;
   options->parse.include_count = reader.include_dirs.count;
+  options->parse.defines = reader.defines.at;
+  options->parse.define_count = reader.defines.count;
+  options->parse.given = options->given.at;
+  options->parse.given_count = options->given.count;
   return complete(options);
 }
 

@@ -159,6 +159,8 @@ typedef struct AstRules {
   bool literal_context_brackets;  // cpfg: "]" and "=" in right contexts
   bool unweighted_counts_one;     // cpfg: no weight among weighted ones is 1
   bool last_ignore_counts;        // cpfg
+  bool idle_values;               // cpfg: a statement may compute a value that nothing uses
+  bool textual_macros;            // cpfg: -D of a name that is no param is a macro, not the program's business
 } AstRules;
 
 typedef struct Ast {
@@ -178,6 +180,11 @@ typedef struct ParseOptions {
   size_t include_count;
   const char *dialect;  // --dialect, NULL: by the file
   const char *system;   // --system NAME (fractint), NULL: the first
+
+  // -D NAME=VALUE, as written. `defines` hold whatever the notation; `given` were meant for the program too, and
+  // define textual macros only.
+  const char *const *defines, *const *given;
+  size_t define_count, given_count;
 } ParseOptions;
 
 // Text -> Ast. Never NULL; on errors (diag_errors() > 0) it holds what could

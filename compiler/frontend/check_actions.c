@@ -116,6 +116,19 @@ static Expr *effect(Check *check, const AstExpr *call, LsysFunction function) {
   return result;
 }
 
+// A value that nothing uses: nothing is done for it, but its names and calls are checked and numbered.
+static void compute_idly(Check *check, const AstExpr *value, Action *action) {
+  if (check->ast->rules.idle_values)
+    diag_warning(check->diag, WARN_UNUSED_VALUE, value->span, "this statement computes a value that nothing uses");
+  else
+    diag_error(check->diag, value->span, "this statement computes a value that nothing uses");
+  if (value->kind == AST_BINARY && value->op == OP_EQ && value->a->kind == AST_NAME)
+    diag_hint(check->diag, "`%s = ...;` assigns", value->a->name);
+  check_expression(check, value);
+  action->kind = ACTION_IF;
+  action->value = expr_number(check->arena, 0, value->span);
+}
+
 static void evaluate(Check *check, const AstExpr *value, Action *action) {
   LsysFunction function = value->kind == AST_CALL ? function_named(value->name) : LSYS_FN_COUNT;
   if (value->kind == AST_POISON) return;
@@ -126,7 +139,7 @@ static void evaluate(Check *check, const AstExpr *value, Action *action) {
   else if (value->kind == AST_CALL && function == LSYS_FN_COUNT)
     name_unknown(check, name_intern(check, value->name), value->name_span, true);
   else
-    diag_error(check->diag, value->span, "this statement computes a value that nothing uses");
+    compute_idly(check, value, action);
 }
 
 // ---- statements ------------------------------------------------------------------------

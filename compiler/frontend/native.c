@@ -48,7 +48,8 @@ static Ast *parse(Parser *parser, Sources *sources, const SourceFile *file, cons
   Ast *ast = ARENA_NEW(parser->build.arena, Ast);
   ast->file = file;
   Statements all = read_statements(parser, sources, file, options);
-  for (size_t i = 0; i < all.count; i++) parser_statement(parser, all.at[i], &ast->statements);
+  for (size_t i = 0; i < all.count; i++)
+    if (!all.at[i]->overridden) parser_statement(parser, all.at[i], &ast->statements);
   return ast;
 }
 
@@ -65,8 +66,12 @@ Ast *cpfg_parse(Arena *arena, Sources *sources, Diag *diag, const SourceFile *fi
   Parser parser;
   parser_init(&parser, arena, diag, sources, &notation_cpfg);
   Ast *ast = parse(&parser, sources, file, options);
-  ast->rules = (AstRules){
-    .dialect = "cpfg", .literal_context_brackets = true, .unweighted_counts_one = true, .last_ignore_counts = true};
+  ast->rules = (AstRules){.dialect = "cpfg",
+                          .literal_context_brackets = true,
+                          .unweighted_counts_one = true,
+                          .last_ignore_counts = true,
+                          .idle_values = true,
+                          .textual_macros = true};
   parser_finish(&parser);
   return ast;
 }

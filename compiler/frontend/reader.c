@@ -35,7 +35,9 @@ struct Reader {
   Input *input;
   unsigned depth, inclusions;
   Defines *defines;
-  Macros *macros;  // NULL: #define does not replace text
+  Macros *macros;          // NULL: #define does not replace text
+  const SourceFile *line;  // the -D of the command line as #defines; NULL: none
+  Defines *from_line;      // what they define
 };
 
 static void push_input(Reader *reader, const SourceFile *file) {
@@ -47,13 +49,75 @@ static void push_input(Reader *reader, const SourceFile *file) {
   reader->depth++;
 }
 
+// The name behind a directive; NULL: there is none.
+static const char *directive_name(const Statement *s, Arena *arena) {
+  const char *at = s->first.rest, *end = at;
+  for (size_t n; (n = utf8_blank(at, s->end)) > 0;) at += n;
+  for (end = at; end < s->end && !strchr(" \t\r\n/(", *end);) end++;
+  return end > at ? arena_copy(arena, at, (size_t)(end - at)) : NULL;
+}
+
+// ---- -D --------------------------------------------------------------------
+
+typedef VEC(char) Bytes;
+
+static void append(Arena *arena, Bytes *text, const char *bytes, size_t length) {
+  for (size_t i = 0; i < length; i++) *VEC_PUSH(arena, text) = bytes[i];
+}
+
+// "N=3" becomes "#define N 3\n".
+static void append_define(Arena *arena, Bytes *text, const char *definition) {
+  size_t name = strcspn(definition, "=");
+  append(arena, text, "#define ", 8);
+  append(arena, text, definition, name);
+  append(arena, text, " ", 1);
+  if (definition[name])
+    append(arena, text, definition + name + 1, strlen(definition + name + 1));
+  else
+    append(arena, text, "1", 1);
+  append(arena, text, "\n", 1);
+}
+
+// What the command line defines is read before the grammar, as if it were included there.
+static void push_command_line(Reader *reader) {
+  const ParseOptions *options = reader->options;
+  Bytes text = {0};
+  if (!options) return;
+  for (size_t i = 0; i < options->define_count; i++) append_define(reader->arena, &text, options->defines[i]);
+  for (size_t i = 0; reader->macros && i < options->given_count; i++)
+    append_define(reader->arena, &text, options->given[i]);
+  if (text.count == 0) return;
+  const char *copy = arena_copy(reader->arena, text.at, text.count);
+  reader->line = sources_add(reader->sources, "<command line>", copy, text.count, (Span){0, 0});
+  if (reader->line) push_input(reader, reader->line);
+}
+
+// The -D of a param's name; NULL: there is none.
+static Statement *defined_param(Reader *reader, const Statement *s) {
+  if (!reader->line || !s->first.keyword || s->first.keyword->token != TOK_PARAM) return NULL;
+  const char *name = directive_name(s, reader->arena);
+  if (!name) return NULL;
+  if (reader->macros) macros_undefine(reader->macros, name);
+  return trie_find(reader->from_line, name, strlen(name));
+}
+
+// A param that the command line defines has that value as its default.
+static void take_over(Reader *reader, Statement *s, Statement *define) {
+  parser_ahead(reader->parser, s);
+  parser_ahead(reader->parser, define);
+  if (s->ast.count && define->ast.count) s->ast.at[0].value = define->ast.at[0].value;
+  define->overridden = true;
+}
+
 Reader *reader_create(Parser *parser, Sources *sources, const SourceFile *file, const ParseOptions *options) {
   Arena *arena = parser->build.arena;
   Reader *reader = ARENA_NEW(arena, Reader);
   *reader = (Reader){.arena = arena, .parser = parser, .diag = parser->diag, .sources = sources, .options = options};
   reader->defines = trie_create(arena);
+  reader->from_line = trie_create(arena);
   if (parser->notation->macros) reader->macros = macros_create(arena, sources, parser->diag);
   push_input(reader, file);
+  push_command_line(reader);
   return reader;
 }
 
@@ -72,14 +136,6 @@ static Span keyword_span(const Statement *s) {
 static bool holds(Reader *reader, Statement *s) {
   if (reader->macros && !macros_expand(reader->macros, s)) return false;
   return condition_holds(reader->parser, reader->defines, s);
-}
-
-// The name behind a directive; NULL: there is none.
-static const char *directive_name(const Statement *s, Arena *arena) {
-  const char *at = s->first.rest, *end = at;
-  for (size_t n; (n = utf8_blank(at, s->end)) > 0;) at += n;
-  for (end = at; end < s->end && !strchr(" \t\r\n/(", *end);) end++;
-  return end > at ? arena_copy(arena, at, (size_t)(end - at)) : NULL;
 }
 
 static bool is_defined(Reader *reader, Statement *s) {
@@ -218,6 +274,7 @@ static void record_define(Reader *reader, Statement *s) {
   const char *name = directive_name(s, reader->arena);
   bool define = s->first.keyword->token == TOK_DEFINE;
   if (name) *trie_at(reader->defines, name, strlen(name)) = define ? s : NULL;
+  if (name && s->file == reader->line) *trie_at(reader->from_line, name, strlen(name)) = s;
   if (reader->macros && define)
     macros_define(reader->macros, s);
   else if (reader->macros && name)
@@ -242,7 +299,10 @@ Statement *reader_next(Reader *reader) {
       record_define(reader, s);
       if (!reader->macros) return s;
       s = ARENA_NEW(reader->arena, Statement);
-    } else if (!reader->macros || macros_expand(reader->macros, s)) {
+    } else {
+      Statement *define = defined_param(reader, s);
+      if (reader->macros && !macros_expand(reader->macros, s)) continue;
+      if (define) take_over(reader, s, define);
       return s;
     }
   }

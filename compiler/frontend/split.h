@@ -19,6 +19,7 @@ typedef struct Statement {
   const char *weight;             // the colon behind the successor; NULL: none
   const char *unclosed;           // a `(` or `{` that is never closed; NULL: none
   const char *unclosed_before;    // the line that showed it; NULL: the end of the file, or its own line
+  bool overridden;                // the #define of a -D whose value a param took over
   bool parsed;                    // ahead of the others; `ast` holds what it means
   AstStatements ast;
   const Notation *notation;

@@ -18,3 +18,5 @@ try a.lsys b.lsys
 try missing.lsys
 try .
 try help nosuch
+lsysc frobnicate plant.lsys
+lsysc chek plant.lsys
