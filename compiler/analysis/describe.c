@@ -68,7 +68,7 @@ static void describe_axioms(Arena *arena, const Program *program, LsysGrammar *g
   grammar->axiom_count = (uint32_t)program->axiom_count;
 }
 
-static void describe_surfaces(Arena *arena, const Program *program, LsysGrammar *grammar) {
+static void describe_looks(Arena *arena, const Program *program, LsysGrammar *grammar) {
   LsysSurface *surfaces = arena_array(arena, program->surface_count, sizeof *surfaces);
   for (size_t i = 0; i < program->surface_count; i++) {
     surfaces[i] = program->surfaces[i].shape;
@@ -76,6 +76,8 @@ static void describe_surfaces(Arena *arena, const Program *program, LsysGrammar 
   }
   grammar->surfaces = surfaces;
   grammar->surface_count = (uint32_t)program->surface_count;
+  grammar->colours = program->colours;
+  grammar->colour_count = (uint32_t)program->colour_count;
 }
 
 static size_t larger(size_t a, size_t b) {
@@ -166,7 +168,7 @@ LsysGrammar *describe(Arena *arena, const Program *program, const Facts *facts) 
   grammar->kinds = describe_kinds(arena, program, facts);
   describe_params(arena, program, grammar);
   describe_axioms(arena, program, grammar);
-  describe_surfaces(arena, program, grammar);
+  describe_looks(arena, program, grammar);
   grammar->value_count = (uint32_t)program->total_values;
   grammar->seed = program->seed;
   grammar->room_sym = 1;  // the interpreter writes module by module

@@ -190,6 +190,8 @@ void freeze_grammar(Ir *ir, const Entries *entries) {
     FIELD(interpret, pointer(ir, entries->interpret)),
     FIELD(surface_count, int_of(i32, g->surface_count)),
     FIELD(surfaces, surfaces(ir)),
+    FIELD(colour_count, int_of(i32, g->colour_count)),
+    FIELD(colours, numbers(ir, g->colours, g->colour_count)),
   };
   enum { COUNT = sizeof fields / sizeof fields[0] };
   LLVMValueRef values[COUNT];

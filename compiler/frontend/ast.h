@@ -128,6 +128,7 @@ typedef enum AstStatementKind {
   AST_LSYSTEM,        // lsystem: NAME
   AST_ENDLSYSTEM,
   AST_SURFACE,      // surface NAME: form(args) or a file name: name, value = AST_CALL or AST_STRING
+  AST_COLOURS,      // colours: #rrggbb NAME ...: symbols
   AST_ENVIRONMENT,  // value = AST_CALL, AST_NAME or AST_STRING
 } AstStatementKind;
 

@@ -46,6 +46,8 @@ static void fill(Check *check) {
   program->axiom_count = check->axioms.count;
   program->surfaces = check->surfaces.at;
   program->surface_count = check->surfaces.count;
+  program->colours = check->colours.at;
+  program->colour_count = check->colours.count;
   program->names = check->symbols.at;
   program->name_count = check->symbols.count;
   program->sites = check->sites;

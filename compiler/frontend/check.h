@@ -162,6 +162,7 @@ typedef struct Check {
 
   VEC(Word) axioms;
   VEC(Surface) surfaces;
+  VEC(uint32_t) colours;
   VEC(Action) blocks[4];  // Start, StartEach, EndEach, End
   Expr *settings[LSYS_SETTING_COUNT], *seed;
   bool uses_tables;  // some block calls useTable

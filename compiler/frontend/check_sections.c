@@ -1,5 +1,6 @@
 // check_sections.c -- every statement in file order: what it means where it stands.
 #include "frontend/check.h"
+#include "lsys/colour.h"
 #include "lsys/surface.h"
 
 #include <string.h>
@@ -121,6 +122,23 @@ static void read_environment(Check *check, const AstStatement *statement) {
     diag_hint(check->diag, "such as `environment: occupancy(cell=0.5)`");
   }
   check->program->environment = statement->value;
+}
+
+// Several statements add up.
+static void read_colours(Check *check, const AstStatement *statement) {
+  for (size_t i = 0; i < statement->symbols.count; i++) {
+    const AstSymbol *colour = &statement->symbols.at[i];
+    uint32_t rgb;
+    if (!lsys_colour_read(colour->name, strlen(colour->name), &rgb)) {
+      diag_error(check->diag, colour->span, "`%s` is no colour", colour->name);
+      diag_hint(check->diag, "a colour is #rrggbb, #rgb, or a name such as brown");
+    } else if (check->colours.count == LSYS_MOST_COLOURS) {
+      diag_error(check->diag, colour->span, "a palette has no more than %d colours", LSYS_MOST_COLOURS);
+      return;
+    } else {
+      *VEC_PUSH(check->arena, &check->colours) = rgb;
+    }
+  }
 }
 
 // ---- surfaces --------------------------------------------------------------------------------
@@ -273,6 +291,9 @@ static void read_statement(Check *check, const AstStatement *statement) {
     break;
   case AST_SURFACE:
     read_surface(check, statement);
+    break;
+  case AST_COLOURS:
+    read_colours(check, statement);
     break;
   case AST_ENVIRONMENT:
     read_environment(check, statement);

@@ -210,6 +210,10 @@ static void print_definition(Printer *printer, const AstStatement *statement) {
       fputs("#modules", out);
     print_names(printer, statement);
     break;
+  case AST_COLOURS:
+    fputs("colours:", out);
+    print_names(printer, statement);
+    break;
   default:  // AST_SURFACE
     fprintf(out, "surface %s:", statement->name);
     print_value(printer, "", statement->value);
@@ -289,6 +293,7 @@ static void print_statement(Printer *printer, const AstStatement *statement, boo
   case AST_PARAM:
   case AST_MODULES:
   case AST_SURFACE:
+  case AST_COLOURS:
     print_definition(printer, statement);
     break;
   default:

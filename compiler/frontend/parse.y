@@ -45,7 +45,7 @@ static void yyerror(const Span *span, Parser *parser, const char *message);
 %token START_EACH "`StartEach:`" END_EACH "`EndEach:`" FINISH "`End:`" ARRAYS "`define:`" DECOMPOSITION "`decomposition`"
 %token HOMOMORPHISM "`homomorphism`" PRODUCTIONS "`productions`" MAXIMUM_DEPTH "`maximum depth:`" TABLE "`table`"
 %token TABLES "`tables:`" RING "`ring lsystem`" LSYSTEM "`lsystem:`" ENDLSYSTEM "`endlsystem`" SURFACE "`surface`"
-%token ENVIRONMENT "`environment:`" PARAM "`param`" MODULE "`module`" MODULES "`#modules`" DEFINE "`#define`"
+%token COLOURS "`colours:`" ENVIRONMENT "`environment:`" PARAM "`param`" MODULE "`module`" MODULES "`#modules`" DEFINE "`#define`"
 %token UNDEF "`#undef`" INCLUDE "`#include`" IFDEF "`#ifdef`" IFNDEF "`#ifndef`" ELIF "`#elif`" ENDIF "`#endif`"
 %token HASH_IF "`#if`" HASH_ELSE "`#else`"
 
@@ -123,6 +123,7 @@ statement:
 | LSYSTEM NAME { build_named(parser, AST_LSYSTEM, $2, @2); }
 | ENDLSYSTEM { build_statement(parser, AST_ENDLSYSTEM); }
 | SURFACE NAME COLON expr { build_named(parser, AST_SURFACE, $2, @2)->value = $4; }
+| COLOURS names { build_statement(parser, AST_COLOURS)->symbols = $2; }
 | ENVIRONMENT expr { build_statement(parser, AST_ENVIRONMENT)->value = $2; }
 | declaration
 | blocks

@@ -237,6 +237,8 @@ typedef struct Program {
   size_t array_count;
   Surface *surfaces;
   size_t surface_count;
+  uint32_t *colours;  // 0xRRGGBB of the indices from 0 on that `colours:` gives
+  size_t colour_count;
   const char **names;  // declared, whether or not a kind has them: how words are cut into symbols
   size_t name_count;
   Actions start, start_each, end_each, end;

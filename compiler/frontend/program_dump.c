@@ -270,6 +270,9 @@ void program_dump(const Program *program, FILE *out) {
   dump_kinds(&dump);
   dump_values(&dump);
   for (size_t i = 0; i < program->surface_count; i++) dump_surface(&dump, &program->surfaces[i]);
+  if (program->colour_count) fputs("colours:", out);
+  for (size_t i = 0; i < program->colour_count; i++)
+    fprintf(out, " #%06x%s", program->colours[i], i + 1 < program->colour_count ? "" : "\n");
   dump_block(&dump, "start", &program->start, 0);
   dump_block(&dump, "start each", &program->start_each, 0);
   dump_block(&dump, "end each", &program->end_each, 0);

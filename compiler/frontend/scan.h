@@ -22,6 +22,7 @@ typedef enum ScanMode {
   SCAN_NAMES,       // names, ( ) and ,
   SCAN_SURFACE,     // NAME: form
   SCAN_FORM,        // a call, a name, or a file's name
+  SCAN_COLOURS,     // #rrggbb and names
   SCAN_LINE         // not scanned: the reader's business
 } ScanMode;
 

@@ -106,6 +106,30 @@ static bool decomposes(const Program *program) {
   return false;
 }
 
+static bool is_copy(const Boxes *a, size_t i, const Boxes *b, size_t k, uint32_t arity) {
+  const Box *x = &a->at[i], *y = &b->at[k];
+  return x->kind == y->kind && (!arity || !memcmp(a->arg + x->args, b->arg + y->args, arity * sizeof(double)));
+}
+
+// What came of a module of the word before was born in this step, unless it is that module alone.
+static void give_birth(Interp *interp, uint64_t step) {
+  const Boxes *word = &interp->word;
+  for (size_t i = 0, end; i < word->count; i = end) {
+    size_t from = word->at[i].from;
+    for (end = i + 1; end < word->count && word->at[end].from == from;) end++;
+    uint32_t arity = interp->program->kinds[word->at[i].kind].arity;
+    bool stays = end == i + 1 && is_copy(word, i, &interp->before, from, arity);
+    for (size_t k = i; k < end; k++) word->at[k].born = stays ? interp->before.at[from].born : step + 1;
+  }
+}
+
+static void derive_step(Interp *interp, LsysRun *run, uint64_t step) {
+  if (run->births) boxes_copy_all(run, &interp->before, interp->program, &interp->word);
+  rewrite_word(interp, step);
+  if (decomposes(interp->program)) decompose_word(interp);
+  if (run->births) give_birth(interp, step);
+}
+
 static void derive(LsysRun *run, uint32_t which, uint64_t steps, LsysStream *out, void *data) {
   Interp *interp = begin(run, &((Pair *)data)->derivation);
   const Program *program = interp->program;
@@ -118,11 +142,11 @@ static void derive(LsysRun *run, uint32_t which, uint64_t steps, LsysStream *out
   build_axiom(interp, which, &interp->word);
   for (uint64_t left = steps; left > 0 && !blocks->stopped && !interp->scope.stopped; left--) {
     execute(blocks, &program->start_each);
-    rewrite_word(interp, run->steps - left);
-    if (decomposes(program)) decompose_word(interp);
+    derive_step(interp, run, run->steps - left);
     execute(blocks, &program->end_each);
   }
   execute(blocks, &program->end);
+  run->born = 0;
   boxes_pack(&interp->word, run->grammar, true, out);
 }
 
@@ -191,6 +215,7 @@ static void release(Interp *interp) {
   boxes_free(&interp->next);
   boxes_free(&interp->stack);
   boxes_free(&interp->successor);
+  boxes_free(&interp->before);
   scope_free(&interp->scope);
   scope_free(&interp->blocks);
   free(interp->candidates);

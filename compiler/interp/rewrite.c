@@ -77,6 +77,7 @@ void rewrite_word(Interp *interp, uint64_t step) {
   for (size_t s = 0; s < interp->program->lsystem_count; s++) section_link(interp, &interp->systems[s].derivation);
   boxes_clear(&interp->next);
   for (size_t i = 0, depth = 0; i < interp->word.count;) {
+    interp->next.from = i;
     size_t system = system_at(interp, &depth, i);
     i = rewrite_at(interp, system, table_of(interp, system, step), i);
   }

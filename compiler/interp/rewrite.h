@@ -36,6 +36,7 @@ typedef struct Interp {
   Boxes word, next;   // before and after what is under way
   Boxes stack;        // decomposition and homomorphism: what is left to do, the next on top
   Boxes successor;    // scratch of the same
+  Boxes before;       // with births: the word before the step
   uint32_t *nesting;  // L-systems around the module at hand
   size_t nesting_room;
   bool warned_decomposition, warned_homomorphism;  // in this derivation

@@ -65,6 +65,7 @@ void decompose_word(Interp *interp) {
   boxes_clear(&interp->stack);
   for (size_t i = 0, depth = 0; i < interp->word.count; i++) {
     const Section *section = &interp->systems[system_at(interp, &depth, i)].decomposition;
+    interp->next.from = interp->word.at[i].from;
     push(interp, &interp->word, i, interp->word.at[i].key, maximum_depth(interp, section));
     unfold(interp, section, NULL, i, &interp->warned_decomposition);
   }

@@ -30,7 +30,7 @@ void boxes_free(Boxes *word) {
 
 void boxes_push(LsysRun *run, Boxes *word, KindId kind, uint64_t key) {
   BOXES_RESERVE(run, word->at, word->count, word->capacity);
-  word->at[word->count++] = (Box){.kind = kind, .key = key, .args = word->arg_count};
+  word->at[word->count++] = (Box){.kind = kind, .key = key, .args = word->arg_count, .from = word->from};
 }
 
 void boxes_push_arg(LsysRun *run, Boxes *word, double value) {
@@ -42,6 +42,14 @@ void boxes_copy(LsysRun *run, Boxes *word, const Program *program, const Boxes *
   const Box *box = &from->at[i];
   boxes_push(run, word, box->kind, key);
   for (uint32_t a = 0; a < program->kinds[box->kind].arity; a++) boxes_push_arg(run, word, from->arg[box->args + a]);
+}
+
+void boxes_copy_all(LsysRun *run, Boxes *word, const Program *program, const Boxes *from) {
+  boxes_clear(word);
+  for (size_t i = 0; i < from->count; i++) {
+    boxes_copy(run, word, program, from, i, from->at[i].key);
+    word->at[i].born = from->at[i].born;
+  }
 }
 
 static uint8_t *write_symbol(uint8_t *sym, KindId kind, bool wide) {
@@ -60,6 +68,10 @@ void boxes_pack(const Boxes *word, const LsysGrammar *grammar, bool with_keys, L
     const Box *box = &word->at[i];
     const LsysKind *kind = &grammar->kinds[box->kind];
     bool key = with_keys && kind->flags & LSYS_KIND_KEY;
+    if (with_keys && out->run->births && box->born != out->run->born) {
+      lsys_flush(out);
+      out->run->born = box->born;
+    }
     if (out->sym_limit - out->sym < 1 + wide) lsys_flush(out);
     out->sym = write_symbol(out->sym, box->kind, wide);
     for (uint32_t a = 0; a < kind->arity; a++) *out->arg++ = word->arg[box->args + a];

@@ -10,7 +10,9 @@ typedef struct Box {
   KindId kind;
   uint32_t depth;  // decomposition and homomorphism: levels left
   uint64_t key;
-  size_t args;  // index of its first argument among the word's
+  size_t args;    // index of its first argument among the word's
+  size_t from;    // during a step: which module of the word before it came from
+  uint64_t born;  // the step in which it was written, where the run wants births
 } Box;
 
 // Arguments stand back to back in module order, so that dropping the last
@@ -20,6 +22,7 @@ typedef struct Boxes {
   size_t count, capacity;
   double *arg;
   size_t arg_count, arg_capacity;
+  size_t from;  // of modules that are pushed
 } Boxes;
 
 // Room for one more element of size bytes behind count; charges the run for
@@ -39,8 +42,11 @@ void boxes_push_arg(LsysRun *run, Boxes *word, double value);
 // Appends a copy of from's module i, with another key.
 void boxes_copy(LsysRun *run, Boxes *word, const Program *program, const Boxes *from, size_t i, uint64_t key);
 
+void boxes_copy_all(LsysRun *run, Boxes *word, const Program *program, const Boxes *from);
+
 // Between the boxed and the packed form (abi.h). Packing writes keys of kinds
 // that have them where with_keys is set.
+// In parts of one birth where the run wants them.
 void boxes_pack(const Boxes *word, const LsysGrammar *grammar, bool with_keys, LsysStream *out);
 void boxes_unpack(LsysRun *run, Boxes *word, const LsysWord *packed);
 

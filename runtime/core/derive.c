@@ -2,6 +2,7 @@
 // lets the grammar derive it on a thread of its own, whose stack fits the depth.
 #include "core/derive.h"
 
+#include "core/births.h"
 #include "core/message.h"
 #include "core/parallel.h"
 #include "core/step.h"
@@ -151,6 +152,9 @@ bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar
   LsysRun *run = &derivation->worker.run;
   derivation->has_range = range->given;
   if (range->given && !lsys_range_parse(range, &derivation->range)) return false;
+  const LsysOptionValue *by = &options->at[LSYS_OPTION_COLOUR_BY];
+  run->births = by->given && strcmp(by->text, "age") == 0;
+  if (run->births && !lsys_births_possible(grammar)) return false;
   run->root = lsys_root(seed->given ? seed->whole : grammar->seed);
   return initialise_values(&derivation->worker, options) && choose_steps(run, options)
       && choose_axioms(derivation, options) && choose_threads(derivation, options)
@@ -225,6 +229,7 @@ typedef struct Task {
   LsysParallel *parallel;
   LsysWindow window;  // --range: in front of the sink
   LsysDescent *descent;
+  LsysBirths *births;
   bool well;
 } Task;
 
@@ -236,10 +241,13 @@ static bool derive(Task *task) {
   if (!grammar->derive) {
     if (grammar->block) grammar->block(run, LSYS_BLOCK_START);
     if (!pack_axiom(task->worker, task->axiom, &task->word)) return false;
+    run->born = 0;
     if (run->steps == 0 && !grammar->block) return task->sink->take(task->sink, &task->word);
-    if (!task->derivation->expands) return lsys_stepper_run(&task->stepper, task->worker, &task->word, task->sink);
+    if (!task->derivation->expands && !run->births)
+      return lsys_stepper_run(&task->stepper, task->worker, &task->word, task->sink);
   }
   if (!task->derivation->blocks && !(task->derivation->blocks = lsys_blocks_build(task->worker))) return false;
+  if (run->births && !grammar->derive) return lsys_births_run(&task->births, task->worker, &task->word, task->sink);
   unsigned threads = task->derivation->threads;
   if (task->derivation->has_range && !grammar->derive && grammar->growth.row)
     return lsys_descent_run(&task->descent, task->worker, &task->word, &task->window);
@@ -284,6 +292,7 @@ bool lsys_derivation_run(LsysDerivation *derivation, uint32_t axiom, LsysSink *s
   if (well) lsys_thread_join(&thread);
   lsys_parallel_close(task.parallel);
   lsys_descent_close(task.descent);
+  lsys_births_close(task.births);
   if (task.writer.stream.run) lsys_writer_close(&task.writer);
   lsys_stepper_close(&task.stepper);
   free_axiom(derivation->worker.memory, &task.word);

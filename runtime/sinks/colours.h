@@ -2,6 +2,7 @@
 #ifndef LSYS_SINKS_COLOURS_H
 #define LSYS_SINKS_COLOURS_H
 
+#include "lsys/colour.h"
 #include "turtle/geometry.h"
 #include "turtle/turtle.h"
 
@@ -14,6 +15,7 @@ typedef enum LsysColourBy {
   LSYS_BY_PROGRESS,  // from red around the hues to red, from the first segment to the last
   LSYS_BY_ORDER,     // how many brackets are open
   LSYS_BY_KIND,      // the module that draws; where all are alike, the last module that the turtle ignores
+  LSYS_BY_AGE,       // the step in which the module that draws was born
 } LsysColourBy;
 
 typedef struct LsysColours {
@@ -21,15 +23,14 @@ typedef struct LsysColours {
   const char *list;  // colours of the first indices, separated by commas, instead of the palette's own; NULL
 } LsysColours;
 
-// The palette for a way of colouring. solid: things in the light, whose ink is lighter. The list was read before.
-void lsys_palette_make(LsysPalette *palette, const LsysColours *colours, bool solid);
+// The palette for a way of colouring: of the list, which was read before, or of the grammar's `colours:` (NULL: no
+// grammar), and then its own. By progress and by age the list's colours are the stops of a ramp. solid: things in the
+// light, whose ink is lighter.
+void lsys_palette_make(LsysPalette *palette, const LsysColours *colours, const LsysGrammar *grammar, bool solid);
 
 struct LsysOptions;
 // --colour-by and --palette. False after printing what is wrong.
 bool lsys_colours_read(const struct LsysOptions *given, LsysColours *colours);
-
-// "#rrggbb", "#rgb" or a name. False if it is none.
-bool lsys_colour_read(const char *text, size_t length, uint32_t *rgb);
 
 // True if every part of the list is a colour and there are no more than 256.
 bool lsys_colours_list(const char *list);
@@ -39,11 +40,12 @@ typedef struct LsysRecolour {
   LsysGeometry geometry;  // what the turtle draws to
   LsysGeometry *next;
   LsysColourBy by;
-  uint64_t total, drawn;  // segments in all, and up to now
+  uint64_t total, drawn;  // segments in all, and up to now; by age: steps
 } LsysRecolour;
 
-// Where a turtle draws to so that `next` gets the colours; asks the turtle for what it needs.
-LsysGeometry *lsys_recolour_begin(LsysRecolour *recolour, const LsysColours *colours, uint64_t segments,
+// Where a turtle draws to so that `next` gets the colours of a figure of so many segments, derived in so many steps;
+// asks the turtle for what it needs.
+LsysGeometry *lsys_recolour_begin(LsysRecolour *recolour, const LsysColours *colours, uint64_t segments, uint64_t steps,
                                   LsysTurtle *turtle, LsysGeometry *next);
 
 #endif

@@ -37,6 +37,7 @@ static bool take(LsysSink *sink, const LsysWord *part) {
   HomomorphismSink *filter = (HomomorphismSink *)sink;
   if (filter->whole) return filter->store.sink.take(&filter->store.sink, part);
   filter->run->grammar->homomorphism(filter->run, part, &filter->writer.stream);
+  if (filter->run->births) lsys_flush(&filter->writer.stream);
   return true;
 }
 

@@ -51,7 +51,7 @@ static bool strokes(LsysGeometry *geometry, const LsysStrokes *batch) {
       to = put_point(to, &p[k]);
       *to++ = ',';
       to = put_real(to, s->pen.width);
-      to += sprintf(to, ",%u,%u]", s->pen.colour, s->pen.depth);
+      to += sprintf(to, ",%u,%u]", s->pen.colour, s->pen.mark);
       lsys_out_filled(j->out, (size_t)(to - room));
       j->later_segment = true;
     }

@@ -17,6 +17,7 @@ typedef struct ModelSink {
   LsysSink sink;
   LsysModel *model;
   LsysModelOptions options;
+  const LsysGrammar *grammar;  // NULL before the first start word
   LsysTurtle *turtle;
   LsysMeasure measure;
   LsysLayout layout;
@@ -43,7 +44,7 @@ static bool open_model(ModelSink *m) {
   m->tubes.width = lsys_turtle_widths_are_lengths(m->turtle) ? 1 : m->layout.unit / m->layout.scale;
   m->tubes.sides = choose_sides(m);
   m->open = true;
-  lsys_palette_make(&m->palette, &m->options.colours, true);
+  lsys_palette_make(&m->palette, &m->options.colours, m->grammar, true);
   return m->model->open(m->model, &m->palette);
 }
 
@@ -59,6 +60,7 @@ static LsysVec3 shift_of(const ModelSink *m) {
 static bool start(ModelSink *m, const LsysRun *run) {
   if (m->turtle) return true;
   if (!lsys_layout_create(&m->layout, run->grammar->axiom_count)) return false;
+  m->grammar = run->grammar;
   m->turtle = lsys_turtle_create(run);
   return m->turtle != NULL;
 }
@@ -77,8 +79,9 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   m->tubes.shift = shift_of(m);
   if (m->model->group && !m->model->group(m->model, axiom)) return false;
   uint64_t segments = m->layout.figure[axiom].segments;
-  lsys_turtle_begin(m->turtle, axiom,
-                    lsys_recolour_begin(&m->recolour, &m->options.colours, segments, m->turtle, &m->tubes.geometry));
+  LsysGeometry *to =
+    lsys_recolour_begin(&m->recolour, &m->options.colours, segments, run->steps, m->turtle, &m->tubes.geometry);
+  lsys_turtle_begin(m->turtle, axiom, to);
   return true;
 }
 

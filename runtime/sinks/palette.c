@@ -1,7 +1,6 @@
 // palette.c -- palettes, made of few colours each; and colours as text.
 #include "sinks/colours.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 // Index 0 is an ink that suits curves and bark. From 1 on it goes from leaf green
@@ -23,6 +22,9 @@ static const uint32_t distinct[12] = {
 // Around the hues and back: red, orange, yellow, green, blue, purple, red.
 static const uint32_t rainbow[7] = {0xd62f2a, 0xec8a22, 0xe6c926, 0x37a24a, 0x2b63c6, 0x8a3fb0, 0xd62f2a};
 
+// From what is old to what is young: dark bark, bark, leaves, fresh leaves.
+static const uint32_t seasons[5] = {0x4a3626, 0x8a6c42, 0x4f8a3a, 0x86bb3f, 0xd6dc5a};
+
 // One channel of a colour of hue 0..6 (red, yellow, green, cyan, blue, magenta) with medium saturation.
 static uint32_t channel(double hue) {
   while (hue >= 6) hue -= 6;
@@ -42,13 +44,23 @@ static uint32_t between(uint32_t a, uint32_t b, double t) {
   return rgb;
 }
 
+// Colour i of 256 that go evenly through the stops.
+static uint32_t on_ramp(const uint32_t *stop, int stops, int i) {
+  double at = i * (stops - 1) / 255.0;
+  int low = at < stops - 1 ? (int)at : stops - 1;
+  return low == stops - 1 ? stop[low] : between(stop[low], stop[low + 1], at - low);
+}
+
+static bool is_ramp(LsysColourBy by) {
+  return by == LSYS_BY_PROGRESS || by == LSYS_BY_AGE;
+}
+
 static uint32_t own_colour(LsysColourBy by, int i, bool solid) {
   switch (by) {
-  case LSYS_BY_PROGRESS: {
-    double at = i * 6 / 255.0;
-    int low = at < 6 ? (int)at : 5;
-    return between(rainbow[low], rainbow[low + 1], at - low);
-  }
+  case LSYS_BY_PROGRESS:
+    return on_ramp(rainbow, sizeof rainbow / sizeof *rainbow, i);
+  case LSYS_BY_AGE:
+    return on_ramp(seasons, sizeof seasons / sizeof *seasons, i);
   case LSYS_BY_ORDER:
   case LSYS_BY_KIND:
     return i < 12 ? distinct[i] : golden(i);
@@ -59,55 +71,38 @@ static uint32_t own_colour(LsysColourBy by, int i, bool solid) {
   return i < 16 ? plant[i] : golden(i);
 }
 
-void lsys_palette_make(LsysPalette *palette, const LsysColours *colours, bool solid) {
-  for (int i = 0; i < 256; i++) palette->rgb[i] = own_colour(colours->by, i, solid);
-  const char *at = colours->list;
-  for (int i = 0; at && *at && i < 256; i++) {
-    size_t length = strcspn(at, ",");
-    lsys_colour_read(at, length, &palette->rgb[i]);
-    at += length + (at[length] == ',');
+// The colours of a list that was read before; returns how many.
+static int read_list(const char *list, uint32_t *rgb) {
+  int count = 0;
+  while (*list && count < LSYS_MOST_COLOURS) {
+    size_t length = strcspn(list, ",");
+    lsys_colour_read(list, length, &rgb[count++]);
+    list += length + (list[length] == ',');
   }
+  return count;
 }
 
-// ---- text ----------------------------------------------------------------
-
-typedef struct NamedColour {
-  const char *name;
-  uint32_t rgb;
-} NamedColour;
-
-static const NamedColour named[] = {
-  {"white", 0xffffff},  {"black", 0x000000}, {"grey", 0x808080},  {"gray", 0x808080},   {"paper", 0xfbf7ec},
-  {"night", 0x10141c},  {"red", 0xc23b22},   {"green", 0x2e8b3d}, {"blue", 0x2d6cb5},   {"yellow", 0xf4d35e},
-  {"orange", 0xe57f2e}, {"brown", 0x7a5533}, {"pink", 0xe58fb0},  {"purple", 0x8d4bb5},
-};
-
-bool lsys_colour_read(const char *text, size_t length, uint32_t *rgb) {
-  for (size_t i = 0; i < sizeof named / sizeof *named; i++) {
-    if (strlen(named[i].name) == length && strncmp(named[i].name, text, length) == 0) {
-      *rgb = named[i].rgb;
-      return true;
-    }
+void lsys_palette_make(LsysPalette *palette, const LsysColours *colours, const LsysGrammar *grammar, bool solid) {
+  uint32_t given[LSYS_MOST_COLOURS];
+  int count = 0;
+  if (colours->list) {
+    count = read_list(colours->list, given);
+  } else if (grammar && colours->by == LSYS_BY_PEN) {
+    count = (int)grammar->colour_count;
+    if (count) memcpy(given, grammar->colours, (size_t)count * sizeof *given);
   }
-  if (!length || *text != '#') return false;
-  size_t digits = strspn(text + 1, "0123456789abcdefABCDEF");
-  if (digits + 1 < length || (length != 7 && length != 4)) return false;
-  uint32_t value = 0;
-  for (size_t i = 1; i < length; i++) {
-    char digit[2] = {text[i]};
-    value = value << 4 | (uint32_t)strtoul(digit, NULL, 16);
-  }
-  *rgb = length == 7 ? value : (value & 0xf00) * 0x1100 | (value & 0xf0) * 0x110 | (value & 0xf) * 0x11;
-  return true;
+  bool ramp = count && is_ramp(colours->by);
+  for (int i = 0; i < LSYS_MOST_COLOURS; i++)
+    palette->rgb[i] = ramp ? on_ramp(given, count, i) : i < count ? given[i] : own_colour(colours->by, i, solid);
 }
 
 bool lsys_colours_list(const char *list) {
-  int count = 0;
-  for (;; count++) {
+  for (int count = 0; count < LSYS_MOST_COLOURS; count++) {
     size_t length = strcspn(list, ",");
     uint32_t rgb;
-    if (count == 256 || !lsys_colour_read(list, length, &rgb)) return false;
+    if (!lsys_colour_read(list, length, &rgb)) return false;
     list += length;
     if (*list++ == 0) return true;
   }
+  return false;
 }

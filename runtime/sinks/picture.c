@@ -267,15 +267,15 @@ static bool start(Picture *p, const LsysRun *run) {
   if (!p->eye || !lsys_layout_create(&p->layout, figures)) return false;
   p->turtle = lsys_turtle_create(run);
   if (p->turtle) choose_view(p);
-  lsys_palette_make(&p->palette, &p->options.colours, p->solid);
+  lsys_palette_make(&p->palette, &p->options.colours, run->grammar, p->solid);
   return p->turtle != NULL;
 }
 
 // What the turtle draws to in this pass.
-static LsysGeometry *target(Picture *p) {
+static LsysGeometry *target(Picture *p, const LsysRun *run) {
   if (!drawing(p)) return p->solid ? &p->geometry : &p->measure.geometry;
   uint64_t segments = p->layout.figure[p->current].segments;
-  return lsys_recolour_begin(&p->recolour, &p->options.colours, segments, p->turtle, &p->geometry);
+  return lsys_recolour_begin(&p->recolour, &p->options.colours, segments, run->steps, p->turtle, &p->geometry);
 }
 
 static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
@@ -288,7 +288,7 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   } else {
     lsys_measure_begin(&p->measure, true);
   }
-  lsys_turtle_begin(p->turtle, axiom, target(p));
+  lsys_turtle_begin(p->turtle, axiom, target(p, run));
   return true;
 }
 

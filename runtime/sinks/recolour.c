@@ -7,8 +7,11 @@
 #include <string.h>
 
 bool lsys_colours_read(const LsysOptions *given, LsysColours *colours) {
-  static const char *const names[] = {
-    [LSYS_BY_PEN] = "pen", [LSYS_BY_PROGRESS] = "progress", [LSYS_BY_ORDER] = "order", [LSYS_BY_KIND] = "kind"};
+  static const char *const names[] = {[LSYS_BY_PEN] = "pen",
+                                      [LSYS_BY_PROGRESS] = "progress",
+                                      [LSYS_BY_ORDER] = "order",
+                                      [LSYS_BY_KIND] = "kind",
+                                      [LSYS_BY_AGE] = "age"};
   const LsysOptionValue *by = &given->at[LSYS_OPTION_COLOUR_BY], *list = &given->at[LSYS_OPTION_PALETTE];
   *colours = (LsysColours){.by = LSYS_BY_PEN, .list = list->given ? list->text : NULL};
   if (list->given && !lsys_colours_list(list->text)) {
@@ -21,7 +24,7 @@ bool lsys_colours_read(const LsysOptions *given, LsysColours *colours) {
     colours->by = (LsysColourBy)i;
     return true;
   }
-  lsys_error("--colour-by %s: it is pen, progress, order or kind", by->text);
+  lsys_error("--colour-by %s: it is pen, progress, order, kind or age", by->text);
   return false;
 }
 
@@ -30,7 +33,9 @@ static uint8_t colour_of(const LsysRecolour *r, const LsysPen *pen) {
   case LSYS_BY_PROGRESS:
     return r->total > 1 ? (uint8_t)((double)r->drawn / (double)r->total * 256) : 0;
   case LSYS_BY_ORDER:
-    return (uint8_t)pen->depth;
+    return (uint8_t)pen->mark;
+  case LSYS_BY_AGE:
+    return r->total ? (uint8_t)((double)pen->mark / (double)r->total * 255) : 0;
   case LSYS_BY_PEN:
   case LSYS_BY_KIND:
     break;
@@ -98,10 +103,11 @@ static bool label(LsysGeometry *to, const LsysVec3 *at, const char *text, const 
   return r->next->label(r->next, at, text, &new);
 }
 
-LsysGeometry *lsys_recolour_begin(LsysRecolour *r, const LsysColours *colours, uint64_t segments, LsysTurtle *turtle,
-                                  LsysGeometry *next) {
+LsysGeometry *lsys_recolour_begin(LsysRecolour *r, const LsysColours *colours, uint64_t segments, uint64_t steps,
+                                  LsysTurtle *turtle, LsysGeometry *next) {
   if (colours->by == LSYS_BY_KIND) lsys_turtle_by_kind(turtle);
   if (colours->by == LSYS_BY_ORDER) lsys_turtle_by_depth(turtle);
+  if (colours->by == LSYS_BY_AGE) lsys_turtle_by_age(turtle);
   if (colours->by == LSYS_BY_PEN || colours->by == LSYS_BY_KIND) return next;
   *r = (LsysRecolour){.geometry = {.strokes = strokes,
                                    .polygon = next->polygon ? polygon : NULL,
@@ -110,6 +116,6 @@ LsysGeometry *lsys_recolour_begin(LsysRecolour *r, const LsysColours *colours, u
                                    .label = next->label ? label : NULL},
                       .next = next,
                       .by = colours->by,
-                      .total = segments};
+                      .total = colours->by == LSYS_BY_AGE ? steps : segments};
   return &r->geometry;
 }

@@ -40,6 +40,12 @@ bool lsys_shared_run(LsysDerivation *derivation, const LsysSinkContext *context)
     lsys_error("--shared: only svg and glb can share parts");
     return false;
   }
+  LsysColours colours;
+  if (!lsys_colours_read(context->options, &colours)) return false;
+  if (colours.by != LSYS_BY_PEN) {
+    lsys_error("--shared: what is written once has one colour each: --colour-by pen is all there is");
+    return false;
+  }
   LsysOut *out = lsys_out_open(path->given ? path->text : "-");
   if (!out) return false;
   if (write_parts(derivation, context->options, glb, out)) return lsys_out_commit(out);

@@ -472,7 +472,7 @@ bool lsys_shared_glb(LsysParts *parts, uint32_t first, uint32_t end, const LsysM
   g->model = (LsysModel){.vertices = take_vertices, .triangles = take_triangles, .edges = take_edges};
   g->parts = parts;
   g->out = out;
-  lsys_palette_make(&g->palette, &options->colours, true);
+  lsys_palette_make(&g->palette, &options->colours, parts->run->grammar, true);
   choose_looks(g, options);
   bool well = choose_cut(g, first, end) && lsys_tubes_create(&g->tubes, &g->model) && lsys_spool_open(&g->vertex)
            && lsys_spool_open(&g->index) && lsys_spool_open(&g->node);

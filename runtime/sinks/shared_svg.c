@@ -201,7 +201,7 @@ static bool write_all(Svg *s, uint32_t first, uint32_t end, const LsysPictureOpt
 
 bool lsys_shared_svg(LsysParts *parts, uint32_t first, uint32_t end, const LsysPictureOptions *options, LsysOut *out) {
   Svg s = {.geometry = {strokes, polygon, NULL, ball, NULL}, .parts = parts, .out = out};
-  lsys_palette_make(&s.palette, &options->colours, false);
+  lsys_palette_make(&s.palette, &options->colours, parts->run->grammar, false);
   bool well = lsys_layout_create(&s.layout, parts->run->grammar->axiom_count) && write_all(&s, first, end, options);
   lsys_layout_destroy(&s.layout);
   free(s.variant);

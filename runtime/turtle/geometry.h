@@ -18,7 +18,7 @@ typedef struct LsysVec3 {
 typedef struct LsysPen {
   double width;  // finite, >= 0; 0 is the thinnest line that a format can show
   uint8_t colour;
-  uint32_t depth;  // open brackets, where the turtle was asked for them
+  uint32_t mark;  // open brackets or the step of birth, where the turtle was asked for them; else 0
 } LsysPen;
 
 // Connected segments drawn with one pen: points first .. first+count-1 of the

@@ -4,9 +4,14 @@
 
 static const double THINNER = 0.70710678118654752440;  // `!`: two equal branches have their parent's cross-section
 
-LsysPen turtle_pen(const LsysTurtle *t) {
+static uint32_t mark(const LsysTurtle *t) {
+  if (t->by_age) return t->born;
   size_t depth = t->by_depth ? t->depth : 0;
-  return (LsysPen){t->state.width, t->state.colour, depth > UINT32_MAX ? UINT32_MAX : (uint32_t)depth};
+  return depth > UINT32_MAX ? UINT32_MAX : (uint32_t)depth;
+}
+
+LsysPen turtle_pen(const LsysTurtle *t) {
+  return (LsysPen){t->state.width, t->state.colour, mark(t)};
 }
 
 double turtle_width(const LsysTurtle *t, double width) {

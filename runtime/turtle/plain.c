@@ -5,7 +5,7 @@
 // A move or a turn takes no branch: every module adds its turn to the heading,
 // its length along the heading to the place, and stores the place; only moves
 // that draw keep it. Brackets take one branch each, and none on what they find.
-#include "turtle/state.h"
+#include "turtle/actions.h"
 
 #include <string.h>
 
@@ -89,7 +89,7 @@ static inline bool pop(LsysTurtle *t, Cursor *c, LsysPen *pen) {
   c->heading = s.heading;
   jump(t, c, pen);
   memcpy(&t->state, &s, sizeof s);
-  *pen = (LsysPen){s.width, s.colour, 0};
+  *pen = (LsysPen){s.width, s.colour, pen->mark};
   return true;
 }
 
@@ -140,7 +140,7 @@ size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, const double **arg, 
   size_t room = (BATCH_POINTS - t->points) / 2;
   if (count > room) count = room;
   Cursor c = load(t);
-  LsysPen pen = {t->state.width, t->state.colour, 0};
+  LsysPen pen = turtle_pen(t);
   size_t i = 0;
   for (; i < count; i++) {
     const PlainKind *k = &kinds[sym[i]];
@@ -162,7 +162,7 @@ size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, const double **arg, 
       t->read += i;  // where a warning says it happened
       *ok = act(t, &c, (PlainAct)k->act);
       t->read -= i;
-      pen = (LsysPen){t->state.width, t->state.colour, 0};
+      pen = turtle_pen(t);
       if (!*ok) break;
       if (!turtle_is_plain(t)) return i + 1;
     }

@@ -8,8 +8,8 @@
 #include "turtle/vector.h"
 
 enum {
-  BATCH_POINTS = 2048,    // points of one batch; 48 KiB, it stays in the second-level cache
-  STRAIGHTEN_TURNS = 64,  // rotations of a frame after which it is made orthonormal again
+  BATCH_POINTS = 2048,            // points of one batch; 48 KiB, it stays in the second-level cache
+  STRAIGHTEN_TURNS = 64,          // rotations of a frame after which it is made orthonormal again
 };
 
 // A place that a generalised cylinder goes through.
@@ -102,6 +102,8 @@ struct LsysTurtle {
   bool skip_next;     // the module behind `~`
   bool by_kind;       // colours come from kinds (KindInfo.colour)
   bool by_depth;      // strokes end where brackets begin, too, and know how deep they are
+  bool by_age;        // strokes know when they were born
+  uint32_t born;      //   of the part that is being read
   size_t state_size;  // bytes of State that brackets save
 
   double angle, step;         // defaults; step in lattice units

@@ -295,6 +295,18 @@ void lsys_turtle_by_depth(LsysTurtle *t) {
   t->by_depth = true;
 }
 
+void lsys_turtle_by_age(LsysTurtle *t) {
+  t->by_age = true;
+}
+
+// The part that begins was born at another time than what was drawn.
+static void change_birth(LsysTurtle *t) {
+  uint32_t born = t->run->born > UINT32_MAX ? UINT32_MAX : (uint32_t)t->run->born;
+  if (born == t->born) return;
+  turtle_change_pen(t);
+  t->born = born;
+}
+
 static bool draws(uint8_t op) {
   return op == LSYS_TURTLE_DRAW || op == LSYS_TURTLE_DRAW_NO_VERTEX || op == LSYS_TURTLE_SECOND_DRAW;
 }
@@ -324,6 +336,7 @@ void lsys_turtle_begin(LsysTurtle *t, uint32_t axiom, LsysGeometry *to) {
   t->points = 1;
   t->point[0] = (LsysVec3){0};
   t->joined = false;
+  t->born = 0;
   t->skip_next = t->splining = false;
   t->sweep.nodes = t->sweep.patches = 0;
 }
@@ -338,6 +351,7 @@ static uint32_t symbol(const LsysTurtle *t, const uint8_t *sym, uint64_t i) {
 bool lsys_turtle_take(LsysTurtle *t, const LsysWord *part) {
   const double *arg = part->arg;
   const uint64_t start = t->read;
+  if (t->by_age) change_birth(t);
   for (uint64_t i = 0; i < part->nsym;) {
     t->read = start + i;
     if (t->points + 4 > BATCH_POINTS && !turtle_flush(t)) return false;

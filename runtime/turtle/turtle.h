@@ -17,8 +17,11 @@ void lsys_turtle_destroy(LsysTurtle *turtle);
 // True if no symbol of the grammar leaves the plane of the page: every z is 0.
 bool lsys_turtle_flat(const LsysTurtle *turtle);
 
-// Strokes shall know how many brackets were open where they were drawn (LsysPen.depth, else 0): they end at `[`, too.
+// Strokes shall know how many brackets were open where they were drawn (LsysPen.mark): they end at `[`, too.
 void lsys_turtle_by_depth(LsysTurtle *turtle);
+
+// Strokes shall know the step in which the modules that draw them were born (LsysPen.mark, LsysRun.born).
+void lsys_turtle_by_age(LsysTurtle *turtle);
 
 // What is drawn shall have the colour of the module that draws it, counted from 0 in the grammar's order; where all
 // segments are drawn by one kind, of the last module that the turtle ignores, counted likewise.

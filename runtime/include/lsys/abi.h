@@ -19,10 +19,11 @@
 #include "lsys/settings.h"
 #include "lsys/turtle.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-#define LSYS_ABI_VERSION 1u
+#define LSYS_ABI_VERSION 2u
 
 #define LSYS_FAR (UINT64_C(1) << 62)  // more steps than any derivation has; see expand
 
@@ -82,6 +83,11 @@ struct LsysRun {
   const uint64_t *block_levels;   // 0 for a kind without blocks
   int64_t table;                  // the table that `useTable` chose; -1: none yet, all apply
   int64_t stopped;                // not 0: `stop` was called, this step is the last
+
+  // Of the run time and the interpreter: with `births`, a word comes in parts whose modules were born in one step,
+  // `born`: 0 in the start word, n in the n-th step. A module that a step turns into itself alone is not born again.
+  bool births;
+  uint64_t born;
 };
 
 typedef struct LsysParam {
@@ -198,6 +204,10 @@ struct LsysGrammar {
 
   uint32_t surface_count;
   const LsysSurface *surfaces;
+
+  // 0xRRGGBB of the first colour indices (`colours:`).
+  uint32_t colour_count;
+  const uint32_t *colours;
 };
 
 // ---- what compiled code calls ----------------------------------------------

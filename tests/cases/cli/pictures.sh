@@ -21,7 +21,7 @@ head -c 4 bush.glb && echo
 ./plant -o plant.svg --background purpel
 ./plant -o plant.svg --camera 30
 ./plant -o plant.svg --projection flat
-./plant -o plant.svg --colour-by age
+./plant -o plant.svg --colour-by height
 ./plant -o plant.svg --palette red,,blue
 ./plant -o plant.glb --sides 2
 ./plant --frames
