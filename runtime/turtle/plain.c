@@ -136,8 +136,9 @@ size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, const double **arg, 
   const Pair *directions = t->directions.at;
   const uint32_t circle = t->directions.count;
   const bool small = t->state_size == STATE_SMALL && !t->by_depth;
-  // A module adds at most two points: the end of its move, and the start of a new stroke.
-  size_t room = (BATCH_POINTS - t->points) / 2;
+  // A module adds at most two points: the end of its move, and the start of a new stroke. So the batch is found full
+  // behind the first module that fills it, wherever the word's parts end: what is drawn does not depend on them.
+  size_t room = (BATCH_FULL + 1 - t->points) / 2;
   if (count > room) count = room;
   Cursor c = load(t);
   LsysPen pen = turtle_pen(t);

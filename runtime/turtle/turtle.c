@@ -354,7 +354,7 @@ bool lsys_turtle_take(LsysTurtle *t, const LsysWord *part) {
   if (t->by_age) change_birth(t);
   for (uint64_t i = 0; i < part->nsym;) {
     t->read = start + i;
-    if (t->points + 4 > BATCH_POINTS && !turtle_flush(t)) return false;
+    if (t->points >= BATCH_FULL && !turtle_flush(t)) return false;
     if (turtle_is_plain(t)) {
       bool ok = true;
       size_t plain = turtle_read_plain(t, part->sym + i, &arg, part->nsym - i, &ok);
