@@ -37,12 +37,11 @@ static void rewrite_module(Rewrite *rewrite, Reader *reader, KindId kind) {
   read(ir, reader, arity, keyed, &module);
   LLVMValueRef *values = arena_array(ir->arena, arity + (size_t)3, sizeof *values);
   unsigned n = 0;
-  values[n++] = rewrite->out;
   values[n++] = rewrite->way == WAY_EXPAND ? rewrite->steps : rewrite->depth;
   for (uint32_t i = 0; i < arity; i++) values[n++] = module.args[i];
   if (ir->facts->kinds[kind].key)
     values[n++] = rewrite->way == WAY_INTERPRET ? image_key(ir, 0, module.key) : module.key;
-  ir_call(ir, expand_function(ir, rewrite->way, 0, kind), values, n);
+  line_resume(rewrite, expand_call(rewrite, rewrite->way, kind, values, n));
   leave(ir, reader, arity, keyed);
 }
 

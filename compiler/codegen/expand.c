@@ -3,10 +3,12 @@
 // expand); and its siblings for decomposition and homomorphism, which differ
 // in what becomes of a successor's modules.
 //
-//   expand.A(out, steps, args..., key)            one rewriting, then each module with steps-1
-//   decompose.A(out, steps, depth, args..., key)  as deep as depth, then expand with steps
-//   interpret.A(out, depth, args..., key)         as deep as depth, then written without key
-//   interpret.A(out, scan, depth, args..., key)   the same where its contexts look at the scanned word
+//   expand.A(out, cursors, steps, args..., key)            one rewriting, then each module with steps-1
+//   decompose.A(out, cursors, steps, depth, args..., key)  as deep as depth, then expand with steps
+//   interpret.A(out, cursors, depth, args..., key)         as deep as depth, then written without key
+//   interpret.A(out, cursors, scan, depth, args..., key)   the same where its contexts look at the scanned word
+//
+// They return the cursors. Those in `out` are out of date meanwhile.
 //
 // A last module is reached by a jump (same function) or a tail call, so that a
 // chain of 10^6 steps takes constant stack. Other calls check the stack first.
@@ -14,12 +16,13 @@
 #include "codegen/ir.h"
 
 #include <ctype.h>
+#include <string.h>
 
 bool expand_takes_scan(const Ir *ir, Way way) {
   return way == WAY_INTERPRET && ir->description->flags & LSYS_GRAMMAR_WHOLE;
 }
 
-static unsigned leads(const Ir *ir, Way way) {  // parameters between out and the module's arguments
+static unsigned leads(const Ir *ir, Way way) {  // parameters between the cursors and the module's arguments
   return way == WAY_DECOMPOSE || expand_takes_scan(ir, way) ? 2 : 1;
 }
 
@@ -54,14 +57,16 @@ static const char *way_name(Ir *ir, Way way, size_t system, KindId kind) {
 
 static LLVMValueRef declare(Ir *ir, Way way, size_t system, KindId kind) {
   uint32_t arity = ir->program->kinds[kind].arity;
-  LLVMTypeRef *types = arena_array(ir->arena, arity + (size_t)4, sizeof *types);
+  LLVMTypeRef *types = arena_array(ir->arena, arity + (size_t)7, sizeof *types);
   unsigned n = 0;
   types[n++] = ir->types.ptr;
+  n += line_cursor_types(ir, types + n);
+  unsigned first = n;
   if (expand_takes_scan(ir, way)) types[n++] = ir->types.ptr;
-  while (n < 1 + leads(ir, way)) types[n++] = ir->types.i64;
+  while (n < first + leads(ir, way)) types[n++] = ir->types.i64;
   for (uint32_t i = 0; i < arity; i++) types[n++] = ir->types.f64;
   if (ir->facts->kinds[kind].key) types[n++] = ir->types.i64;
-  LLVMTypeRef type = LLVMFunctionType(ir->types.none, types, n, false);
+  LLVMTypeRef type = LLVMFunctionType(line_result_type(ir), types, n, false);
   LLVMValueRef function = LLVMAddFunction(ir->module, way_name(ir, way, system, kind), type);
   LLVMSetLinkage(function, LLVMInternalLinkage);
   LLVMSetFunctionCallConv(function, ir->tail_convention);
@@ -95,11 +100,19 @@ static void jump(Rewrite *rewrite, LLVMValueRef *values) {
 }
 
 static void leave(Rewrite *rewrite) {
-  LLVMBuilderRef builder = rewrite->scope.ir->builder;
   if (rewrite->done)
-    LLVMBuildBr(builder, rewrite->done);
+    LLVMBuildBr(rewrite->scope.ir->builder, rewrite->done);
   else
-    LLVMBuildRetVoid(builder);
+    line_return(rewrite);
+}
+
+LLVMValueRef expand_call(const Rewrite *rewrite, Way way, KindId kind, LLVMValueRef *rest, unsigned count) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef *values = arena_array(ir->arena, count + (size_t)4, sizeof *values);
+  values[0] = rewrite->out;
+  unsigned n = 1 + line_cursors(rewrite, values + 1);
+  memcpy(values + n, rest, count * sizeof *rest);
+  return ir_call(ir, expand_function(ir, way, rewrite->system, kind), values, n + count);
 }
 
 // Hands a module to the function of its way. A last one ends the block.
@@ -109,7 +122,6 @@ static void pass(Rewrite *rewrite, Way way, const Derived *module, bool last) {
   line_flush(rewrite);
   LLVMValueRef *values = arena_array(ir->arena, arity + (size_t)4, sizeof *values);
   unsigned n = 0;
-  values[n++] = rewrite->out;
   if (expand_takes_scan(ir, way)) values[n++] = rewrite->walk->scans[0];
   if (way != WAY_INTERPRET) values[n++] = rewrite->left;
   if (way != WAY_EXPAND) values[n++] = rewrite->deeper;
@@ -117,13 +129,17 @@ static void pass(Rewrite *rewrite, Way way, const Derived *module, bool last) {
   LLVMValueRef key = derived_key(ir, module);
   if (key) values[n++] = key;
   if (last && way == rewrite->way && module->kind == rewrite->kind) {
-    jump(rewrite, values + 1);
+    jump(rewrite, values);
     return;
   }
-  LLVMValueRef call = ir_call(ir, expand_function(ir, way, rewrite->system, module->kind), values, n);
-  if (!last) return;
-  if (!rewrite->done) LLVMSetTailCallKind(call, ir->tail_kind);
-  leave(rewrite);
+  LLVMValueRef call = expand_call(rewrite, way, module->kind, values, n);
+  if (last && !rewrite->done) {
+    LLVMSetTailCallKind(call, ir->tail_kind);
+    LLVMBuildRet(ir->builder, call);
+    return;
+  }
+  line_resume(rewrite, call);
+  if (last) leave(rewrite);
 }
 
 static void finish(Rewrite *rewrite) {
@@ -286,7 +302,7 @@ static void settle(Rewrite *rewrite) {
 
 // ---- definitions -----------------------------------------------------------------------
 
-// The loop head: the function's parameters behind out become its variables.
+// The loop head: the function's parameters behind the cursors become its variables.
 static void begin(Rewrite *rewrite, LLVMValueRef function) {
   Ir *ir = rewrite->scope.ir;
   LLVMBasicBlockRef entry = LLVMAppendBasicBlockInContext(ir->context, function, "entry");
@@ -294,10 +310,12 @@ static void begin(Rewrite *rewrite, LLVMValueRef function) {
   rewrite->out = LLVMGetParam(function, 0);
   rewrite->scope.run = ir_load(ir, ir->types.ptr, rewrite->out, ir->types.stream, STREAM_RUN);
   ir_mark_invariant(ir, rewrite->scope.run);
+  line_begin(rewrite, function, 1);
   rewrite->again = ir_block(ir, "again");
   LLVMBuildBr(ir->builder, rewrite->again);
   ir_at(ir, rewrite->again);
-  for (unsigned i = 1; i < LLVMCountParams(function); i++) {
+  LLVMTypeRef types[3];
+  for (unsigned i = 1 + line_cursor_types(ir, types); i < LLVMCountParams(function); i++) {
     LLVMValueRef param = LLVMGetParam(function, i), phi = LLVMBuildPhi(ir->builder, LLVMTypeOf(param), "");
     LLVMAddIncoming(phi, &param, &entry, 1);
     *VEC_PUSH(ir->arena, &rewrite->variables) = phi;
@@ -329,8 +347,10 @@ static void use_blocks(Rewrite *rewrite) {
                          ir_load(ir, ir->types.i64, at, ir->types.block, BLOCK_NSYM),
                          ir_load(ir, ir->types.ptr, at, ir->types.block, BLOCK_ARG),
                          ir_load(ir, ir->types.i64, at, ir->types.block, BLOCK_NARG)};
+  line_settle(rewrite);
   ir_call(ir, append, args, 5);
-  LLVMBuildRetVoid(ir->builder);
+  line_fetch(rewrite);
+  line_return(rewrite);
   ir_at(ir, more);
 }
 

@@ -46,13 +46,14 @@ enum { NEIGHBOUR_KIND, NEIGHBOUR_WRAP, NEIGHBOUR_ARG, NEIGHBOUR_FIELDS };
 enum { CURSOR_SYM, CURSOR_END, CURSOR_ARG, CURSOR_FOUND, CURSOR_SEGMENT, CURSOR_OPEN };
 enum { RUN_GRAMMAR, RUN_VALUE, RUN_ROOT, RUN_STEPS, RUN_BLOCK, RUN_BLOCK_LEVELS, RUN_TABLE, RUN_STOPPED };
 
-// A function that rewrites modules of one kind, by how it goes on with the result.
+// A function that rewrites modules of one kind, by how it goes on with the result. The cursors of the streams that the
+// grammar uses are handed in and returned, so that they stay in registers.
 typedef enum Way {
-  WAY_EXPAND,     // (out, steps, args..., key): derives by that many steps
-  WAY_DECOMPOSE,  // (out, steps, depth, args..., key): decomposes, then derives by steps
-  WAY_INTERPRET,  // (out, depth, args..., key): homomorphism; (out, scan, depth, args..., key) where it takes whole
-                  // words
-  WAY_STEP,       // no function of its own: in a loop over the word
+  WAY_EXPAND,     // (out, cursors, steps, args..., key): derives by that many steps
+  WAY_DECOMPOSE,  // (out, cursors, steps, depth, args..., key): decomposes, then derives by steps
+  WAY_INTERPRET,  // (out, cursors, depth, args..., key): homomorphism; (out, cursors, scan, depth, args..., key) where
+                  // it takes whole words
+  WAY_STEP,  // no function of its own: in a loop over the word
   WAY_COUNT
 } Way;
 
@@ -82,6 +83,7 @@ typedef struct Ir {
   bool stepping;                  // for the step engine: a module is derived by one step at a time
   bool letters;                   // the step goes through a table of cases (letters.c)
   bool shown_keys;                // a homomorphism draws: only then does anyone read the keys of a derived word
+  bool uses_stream[3];            // symbols, arguments, keys: whether the grammar has any
   uint32_t room_sym;              // the most modules that room was asked for at once
 } Ir;
 
@@ -197,7 +199,7 @@ typedef struct Rewrite {
   LLVMValueRef depth;           // levels left, this one included; NULL in WAY_EXPAND
   LLVMValueRef table;           // T0L: the table of this step, NULL where no production asks
   LLVMBasicBlockRef again;      // head of the loop that a last successor of the same kind jumps to,
-  VEC(LLVMValueRef) variables;  //   and its variables: the function's parameters behind out
+  VEC(LLVMValueRef) variables;  //   and its variables: the function's parameters behind the cursors
   LLVMValueRef left, deeper;    // steps and levels that the successor's modules have left
   LLVMBasicBlockRef self;       // writes the module as it is, and ends
   LLVMBasicBlockRef deep;       // ends the run for want of stack; NULL until needed
@@ -250,6 +252,13 @@ uint64_t line_most(uint64_t n);  // places for symbols that lines of n modules a
 void line_fetch(const Rewrite *rewrite);
 void line_settle(const Rewrite *rewrite);
 void line_write_out(const Rewrite *rewrite);  // lsys_flush
+// Cursors as parameters and results of rewriting functions.
+unsigned line_cursor_types(const Ir *ir, LLVMTypeRef *types);  // their number, at most 3
+LLVMTypeRef line_result_type(const Ir *ir);
+void line_begin(Rewrite *rewrite, LLVMValueRef function, unsigned first);  // from parameters to variables
+unsigned line_cursors(const Rewrite *rewrite, LLVMValueRef *values);       // what to pass to a call
+void line_resume(const Rewrite *rewrite, LLVMValueRef result);             // go on where a call ended
+void line_return(const Rewrite *rewrite);
 // One module whose symbol is known at run time only.
 void line_copy(Rewrite *rewrite, LLVMValueRef symbol, LLVMValueRef *args, uint32_t arity, LLVMValueRef key);
 
@@ -268,6 +277,8 @@ LLVMValueRef expand_stop(Ir *ir, LLVMValueRef out);  // out->stop
 const Productions *expand_productions(const Ir *ir, Way way, size_t system, KindId kind);
 LLVMValueRef expand_function(const Ir *ir, Way way, size_t system, KindId kind);  // NULL: none is needed
 bool expand_takes_scan(const Ir *ir, Way way);
+// Calls the function of a kind with what stands behind the cursors; line_resume or a return takes the result.
+LLVMValueRef expand_call(const Rewrite *rewrite, Way way, KindId kind, LLVMValueRef *rest, unsigned count);
 
 // entry.c: the descriptor's functions that take packed words; NULL where the grammar has no such thing.
 LLVMValueRef entry_expand(Ir *ir);

@@ -47,6 +47,54 @@ void line_write_out(const Rewrite *rewrite) {
   line_fetch(rewrite);
 }
 
+// ---- cursors between functions -------------------------------------------------
+
+unsigned line_cursor_types(const Ir *ir, LLVMTypeRef *types) {
+  unsigned n = 0;
+  for (unsigned s = 0; s < 3; s++)
+    if (ir->uses_stream[s]) types[n++] = ir->types.ptr;
+  return n;
+}
+
+LLVMTypeRef line_result_type(const Ir *ir) {
+  LLVMTypeRef types[3];
+  unsigned n = line_cursor_types(ir, types);
+  return LLVMStructTypeInContext(ir->context, types, n, false);
+}
+
+unsigned line_cursors(const Rewrite *rewrite, LLVMValueRef *values) {
+  unsigned n = 0;
+  for (unsigned s = 0; s < 3; s++)
+    if (rewrite->scope.ir->uses_stream[s]) values[n++] = cursor_now(rewrite, s);
+  return n;
+}
+
+void line_begin(Rewrite *rewrite, LLVMValueRef function, unsigned first) {
+  Ir *ir = rewrite->scope.ir;
+  for (unsigned s = 0; s < 3; s++) {
+    if (!ir->uses_stream[s]) continue;
+    rewrite->cursor[s] = ir_local(ir, ir->types.ptr, 1, "out");
+    LLVMBuildStore(ir->builder, LLVMGetParam(function, first++), rewrite->cursor[s]);
+  }
+}
+
+void line_return(const Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef values[3];
+  unsigned n = line_cursors(rewrite, values);
+  LLVMBuildAggregateRet(ir->builder, values, n);
+}
+
+void line_resume(const Rewrite *rewrite, LLVMValueRef result) {
+  Ir *ir = rewrite->scope.ir;
+  unsigned n = 0;
+  for (unsigned s = 0; s < 3; s++)
+    if (ir->uses_stream[s])
+      LLVMBuildStore(ir->builder, LLVMBuildExtractValue(ir->builder, result, n++, ""), place(rewrite, s));
+}
+
+// ---- room ------------------------------------------------------------------------
+
 // Lines are rounded up.
 uint64_t line_most(uint64_t n) {
   return n + 16 * (n / LONGEST_LINE + 1);

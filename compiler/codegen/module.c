@@ -105,6 +105,9 @@ void ir_create(Ir *ir, LLVMContextRef context, LLVMTargetMachineRef machine) {
   ir->tail_kind = promised ? LLVMTailCallKindMustTail : LLVMTailCallKindTail;
   LLVMDisposeMessage(triple);
   make_types(&ir->types, context, ir->description->flags & LSYS_GRAMMAR_WIDE);
+  ir->uses_stream[STREAM_SYM] = true;
+  for (KindId k = 0; k < ir->program->kind_count; k++) ir->uses_stream[STREAM_ARG] |= ir->program->kinds[k].arity > 0;
+  ir->uses_stream[STREAM_KEY] = ir->description->flags & LSYS_GRAMMAR_RANDOM;
 }
 
 void ir_destroy(Ir *ir) {

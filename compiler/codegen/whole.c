@@ -14,26 +14,24 @@ LLVMValueRef image_key(Ir *ir, size_t system, LLVMValueRef key) {
   return section->has_seed ? LLVMBuildXor(ir->builder, key, ir_int(ir, lsys_mix64(section->seed)), "") : key;
 }
 
-static void hand_over(Rewrite *rewrite, LLVMValueRef function) {
+static void hand_over(Rewrite *rewrite) {
   Ir *ir = rewrite->scope.ir;
   uint32_t arity = ir->program->kinds[rewrite->kind].arity;
   LLVMValueRef *values = arena_array(ir->arena, arity + (size_t)4, sizeof *values), key = rewrite->scope.key;
   bool shows = rewrite->way == WAY_INTERPRET;
   unsigned n = 0;
-  values[n++] = rewrite->out;
   values[n++] = shows ? rewrite->walk->scans[0] : rewrite->steps;
   values[n++] = expand_depth(ir, rewrite->way, rewrite->system);
   for (uint32_t i = 0; i < arity; i++) values[n++] = rewrite->args[i];
   if (ir->facts->kinds[rewrite->kind].key) values[n++] = shows ? image_key(ir, rewrite->system, key) : key;
   if (rewrite->walk->right) walk_store(rewrite);
-  ir_call(ir, function, values, n);
+  line_resume(rewrite, expand_call(rewrite, rewrite->way, rewrite->kind, values, n));
 }
 
 static void replace_module(Rewrite *rewrite) {
   Ir *ir = rewrite->scope.ir;
-  LLVMValueRef function = expand_function(ir, rewrite->way, rewrite->system, rewrite->kind);
-  if (function) {
-    hand_over(rewrite, function);
+  if (expand_function(ir, rewrite->way, rewrite->system, rewrite->kind)) {
+    hand_over(rewrite);
   } else {
     line_add(rewrite, rewrite->kind, rewrite->args, rewrite->scope.key);
     line_flush(rewrite);
