@@ -18,7 +18,7 @@ unsigned uses_expr(const Uses *uses, const Expr *expr) {
     found = value_uses(uses->program, expr->slot);
     break;
   case EXPR_ELEMENT:
-    found = USES_GLOBAL;
+    found = uses->program->arrays[expr->slot].constant ? 0 : USES_GLOBAL;
     break;
   case EXPR_APPLY:
     found = uses->functions[expr->slot];

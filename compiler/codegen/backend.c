@@ -7,8 +7,10 @@
 // Globals, or blocks that may do anything: nothing may happen in another order than it is written.
 static bool has_state(const Ir *ir) {
   const Program *program = ir->program;
-  if (ir->facts->sequential || program->array_count || program->start.count || program->start_each.count
-      || program->end_each.count || program->end.count)
+  for (size_t i = 0; i < program->array_count; i++)
+    if (!program->arrays[i].constant) return true;
+  if (ir->facts->sequential || program->start.count || program->start_each.count || program->end_each.count
+      || program->end.count)
     return true;
   for (size_t i = 0; i < program->value_count; i++)
     if (program->values[i].kind == VALUE_GLOBAL) return true;

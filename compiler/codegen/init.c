@@ -79,9 +79,9 @@ LLVMValueRef init_emit(Ir *ir) {
     scope.counters = counters_create(ir);
     counters_clear(ir, scope.counters);
   }
+  init_arrays(&scope);
   init_values(&scope, LLVMGetParam(function, 1));
   init_settings(&scope);
-  init_arrays(&scope);
   LLVMBuildRetVoid(ir->builder);
   return function;
 }

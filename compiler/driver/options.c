@@ -105,6 +105,9 @@ static bool apply(Reader *reader, OptionId id, const char *value, int place) {
   case OPTION_DIALECT:
     options->parse.dialect = value;
     break;
+  case OPTION_VIEW:
+    options->parse.view = value;
+    break;
   case OPTION_SYSTEM:
     options->parse.system = value;
     break;

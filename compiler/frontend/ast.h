@@ -130,6 +130,8 @@ typedef enum AstStatementKind {
   AST_SURFACE,      // surface NAME: form(args) or a file name: name, value = AST_CALL or AST_STRING
   AST_COLOURS,      // colours: #rrggbb NAME ...: symbols
   AST_ENVIRONMENT,  // value = AST_CALL, AST_NAME or AST_STRING
+  AST_FUNCTION,     // function NAME: file; functions: file (name NULL): all of the file; value = AST_STRING
+  AST_CURVE,        // curve NAME: file
 } AstStatementKind;
 
 typedef struct AstArray {
@@ -151,6 +153,8 @@ typedef struct AstStatement {
   AstActions actions;
   AstArrays arrays;
   unsigned setting;
+  const SourceFile *beside;  // files that it names are beside this one; NULL: beside the main file
+  bool fallback;             // of a view file: a setting that the grammar does not state itself
 } AstStatement;
 typedef VEC(AstStatement) AstStatements;
 
@@ -180,6 +184,7 @@ typedef struct ParseOptions {
   const char *const *include_dirs;  // -I, in order
   size_t include_count;
   const char *dialect;  // --dialect, NULL: by the file
+  const char *view;     // --view FILE, NULL: none
   const char *system;   // --system NAME (fractint), NULL: the first
 
   // -D NAME=VALUE, as written. `defines` hold whatever the notation; `given` were meant for the program too, and

@@ -121,9 +121,10 @@ static void dump_array(const AstArray *array, FILE *out) {
 
 static void dump_statement(const AstStatement *s, FILE *out) {
   static const char *const kinds[] = {
-    "axiom",    "production", "define", "undef",         "param",        "modules",     "setting",  "ignore",
-    "consider", "block",      "arrays", "decomposition", "homomorphism", "productions", "warnings", "maximum-depth",
-    "seed",     "table",      "tables", "ring",          "lsystem",      "endlsystem",  "surface",  "colours",     "environment"};
+    "axiom",      "production",    "define",  "undef",       "param",         "modules",      "setting",
+    "ignore",     "consider",      "block",   "arrays",      "decomposition", "homomorphism", "productions",
+    "warnings",   "maximum-depth", "seed",    "table",       "tables",        "ring",         "lsystem",
+    "endlsystem", "surface",       "colours", "environment", "function",      "curve"};
   fputs(kinds[s->kind], out);
   if (s->kind == AST_SETTING)
     fprintf(out, " %s", lsys_settings[s->setting].keyword);

@@ -26,6 +26,7 @@ enum {
 // before `at` see it if they see no earlier one.
 typedef struct Definition {
   bool function, param;
+  bool made;       // by a statement `function`: hides nothing and is never unused
   uint32_t index;  // of values or functions
   size_t at, until;
   Span span, undefined;
@@ -79,6 +80,7 @@ typedef struct ArrayEntry {
   const AstArray *array;
   Expr **sizes, **values;
   Span span;
+  bool constant;  // nothing assigns its elements
 } ArrayEntry;
 
 // ---- modules -------------------------------------------------------------------
@@ -120,6 +122,15 @@ typedef struct System {
   bool ring;
 } System;
 
+// A function of a file: the array NAME.samples of pieces + 1 elements and the functions that read it.
+typedef struct Samples {
+  const char *name;
+  uint32_t pieces;
+  uint32_t between, at, value;  // of functions
+  double range[2];              // of x
+  size_t statement;
+} Samples;
+
 // ---- the state --------------------------------------------------------------------
 
 typedef struct Check {
@@ -160,12 +171,18 @@ typedef struct Check {
   VEC(Expr *) divisions;
   uint32_t productions, sites;
 
+  VEC(Samples) samples;
+  VEC(const char *) splines, curves;  // the names of functions and curves, in the order of their numbers
+  bool unread[2];                     // some function, some curve could not be read
+  uint32_t chains[4];                 // 1 + the function behind func, curveX, curveY, curveZ; 0: there is none
+
   VEC(Word) axioms;
   VEC(Surface) surfaces;
   VEC(uint32_t) colours;
   VEC(Action) blocks[4];  // Start, StartEach, EndEach, End
   Expr *settings[LSYS_SETTING_COUNT], *seed;
-  bool uses_tables;  // some block calls useTable
+  bool fallback[LSYS_SETTING_COUNT];  // the setting is of a view file: the grammar's own counts
+  bool uses_tables;                   // some block calls useTable
 } Check;
 
 // ---- steps, in the order in which check() takes them -----------------------------------
@@ -227,6 +244,17 @@ Actions check_actions(Check *check, const AstActions *actions);
 void values_begin(Check *check);  // once all values and functions are collected
 void check_definition(Check *check, const AstStatement *statement);
 void check_arrays(Check *check, const AstStatement *statement);
+
+// check_functions.c
+void functions_collect(Check *check, const AstStatement *statement);
+void functions_collected(Check *check);
+void functions_read(Check *check);
+// A call as it is computed: `func(growth, x)` is `growth(x)`. NULL after an error.
+const AstExpr *functions_call(Check *check, const AstExpr *ast);
+bool functions_are_meant(const char *name);  // `func`, `curveX`, ...
+
+// check_sections.c: the path of a file that a statement names, beside the file that it stands in
+const char *check_beside(Check *check, const AstStatement *statement, const char *path);
 
 // check_systems.c
 void systems_begin(Check *check);

@@ -185,7 +185,9 @@ static Expr *apply(Check *check, const AstExpr *ast, Definition *definition) {
   return expr;
 }
 
-static Expr *called(Check *check, const AstExpr *ast) {
+static Expr *called(Check *check, const AstExpr *call_ast) {
+  const AstExpr *ast = functions_call(check, call_ast);
+  if (!ast) return check->poison;
   Name *name = name_intern(check, ast->name);
   Definition *definition = name_definition(check, name);
   LsysFunction function = function_named(ast->name);

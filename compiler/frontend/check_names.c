@@ -77,7 +77,8 @@ static const char *nearest(Check *check, const char *text, bool call) {
     arena_array(check->arena, check->names.count + CONSTANTS + LSYS_FN_COUNT, sizeof *candidates);
   size_t count = 0;
   for (size_t i = 0; i < check->names.count; i++)
-    if (name_is_bound(check, check->names.at[i])) candidates[count++] = check->names.at[i]->text;
+    if (name_is_bound(check, check->names.at[i]) && !strchr(check->names.at[i]->text, '.'))
+      candidates[count++] = check->names.at[i]->text;
   for (size_t i = 0; i < CONSTANTS && !call; i++) candidates[count++] = constants[i];
   for (size_t i = 0; i < LSYS_FN_COUNT && call; i++) candidates[count++] = lsys_functions[i].name;
   return diag_nearest(text, candidates, count);
@@ -97,6 +98,9 @@ void name_unknown(Check *check, Name *name, Span span, bool call) {
     diag_note(check->diag, last->undefined, "`%s` was undefined here", name->text);
   } else if (meant) {
     return;
+  } else if (call && functions_are_meant(name->text)) {
+    diag_hint(check->diag, "it needs a function or curve of a file, such as `%s`",
+              *name->text == 'f' ? "function growth: growth.func" : "curve stem: stem.con");
   } else if (call) {
     diag_hint(check->diag, "define it with `#define %s(x) ...`", name->text);
   } else if (check->scope.kind == SCOPE_PRODUCTION) {
@@ -241,6 +245,10 @@ void check_collect(Check *check) {
     case AST_BLOCK:
       collect_globals(check, &statement->actions);
       break;
+    case AST_FUNCTION:
+    case AST_CURVE:
+      functions_collect(check, statement);
+      break;
     case AST_MODULES:
     case AST_SURFACE:
       kinds_declare(check, statement);
@@ -250,5 +258,6 @@ void check_collect(Check *check) {
       break;
     }
   }
+  functions_collected(check);
   place_globals(check);
 }

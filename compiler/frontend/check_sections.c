@@ -62,7 +62,9 @@ static void read_setting(Check *check, const AstStatement *statement) {
   unsigned setting = statement->setting;
   if (check->system->number != 0 && strcmp(check->ast->rules.dialect, "cpfg") == 0) return;
   check_scope(check, SCOPE_CONSTANT);
-  if (check->settings[setting]) {
+  bool fallback = check->fallback[setting];
+  check->fallback[setting] = statement->fallback;
+  if (check->settings[setting] && !fallback) {
     diag_warning(check->diag, WARN_REDEFINED, statement->span, "`%s:` is given twice; the last one counts",
                  lsys_settings[setting].keyword);
     diag_note(check->diag, check->settings[setting]->span, "the other one is here");
@@ -188,11 +190,31 @@ static void *copy(Check *check, const void *from, size_t count, size_t size) {
   return to;
 }
 
-// The file is looked for beside the grammar.
-static void read_mesh(Check *check, const AstExpr *value, Surface *surface) {
-  const char *from = check->ast->file->path, *slash = strrchr(from, '/');
-  int folder = slash && *surface->path != '/' ? (int)(slash + 1 - from) : 0;
-  const char *path = arena_printf(check->arena, "%.*s%s", folder, from, surface->path);
+const char *check_beside(Check *check, const AstStatement *statement, const char *path) {
+  const SourceFile *file = statement->beside ? statement->beside : check->ast->file;
+  const char *slash = strrchr(file->path, '/');
+  int folder = slash && *path != '/' ? (int)(slash + 1 - file->path) : 0;
+  return arena_printf(check->arena, "%.*s%s", folder, file->path, path);
+}
+
+// `surface NAME: file, size`
+static void resize_mesh(Check *check, const AstStatement *statement, Surface *surface) {
+  double size;
+  if (!statement->low) return;
+  Expr *factor = check_expression(check, statement->low);
+  if (factor == check->poison) return;
+  if (!expr_constant(check->program, factor, &size) || !(size > 0)) {
+    diag_error(check->diag, factor->span, "the size of a surface is a number above 0");
+    return;
+  }
+  double *vertex = copy(check, surface->shape.vertex, surface->shape.vertices, 3 * sizeof(double));
+  for (size_t i = 0; i < 3 * (size_t)surface->shape.vertices; i++) vertex[i] *= size;
+  surface->shape.vertex = vertex;
+}
+
+static void read_mesh(Check *check, const AstStatement *statement, Surface *surface) {
+  const AstExpr *value = statement->value;
+  const char *path = check_beside(check, statement, surface->path);
   char why[256];
   LsysSurface mesh;
   if (!lsys_surface_read(path, &mesh, why, sizeof why)) {
@@ -201,6 +223,7 @@ static void read_mesh(Check *check, const AstExpr *value, Surface *surface) {
   }
   surface->shape = mesh;
   surface->shape.vertex = copy(check, mesh.vertex, mesh.vertices, 3 * sizeof(double));
+  resize_mesh(check, statement, surface);
   if (mesh.normal) surface->shape.normal = copy(check, mesh.normal, mesh.vertices, 3 * sizeof(double));
   surface->shape.corner = copy(check, mesh.corner, mesh.triangles, 3 * sizeof(uint32_t));
   lsys_surface_free(&mesh);
@@ -223,7 +246,7 @@ static void read_surface(Check *check, const AstStatement *statement) {
   else
     diag_error(check->diag, value->span,
                "a surface is disc(d), sphere(d), box(x,y,z), or the name of an .obj or .s file");
-  if (surface->form) read_mesh(check, value, surface);
+  if (surface->form) read_mesh(check, statement, surface);
 }
 
 // ---- all ---------------------------------------------------------------------------------------
@@ -295,6 +318,9 @@ static void read_statement(Check *check, const AstStatement *statement) {
   case AST_COLOURS:
     read_colours(check, statement);
     break;
+  case AST_FUNCTION:
+  case AST_CURVE:
+    break;  // read with all others
   case AST_ENVIRONMENT:
     read_environment(check, statement);
     break;
@@ -304,6 +330,7 @@ static void read_statement(Check *check, const AstStatement *statement) {
 void check_statements(Check *check) {
   const Ast *ast = check->ast;
   values_begin(check);
+  functions_read(check);
   enter(check, check->systems.at[0], SECTION_MAIN);
   for (check->statement = 0; check->statement < ast->statements.count && !check->failed; check->statement++)
     read_statement(check, &ast->statements.at[check->statement]);

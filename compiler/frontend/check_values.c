@@ -251,6 +251,7 @@ static bool finish_sizes(Check *check, const ArrayEntry *entry, Array *array, si
 static void finish_array(Check *check, const ArrayEntry *entry, Array *array) {
   size_t count, given = entry->array->values.count;
   array->name = entry->array->name;
+  array->constant = entry->constant;
   array->slot = (uint32_t)check->program->total_values;
   if (!finish_sizes(check, entry, array, &count)) return;
   if (check->program->total_values + count > MOST_ELEMENTS) {

@@ -72,7 +72,7 @@ static void warn_unused_definitions(Check *check) {
   for (size_t i = 0; i < check->names.count; i++) {
     const Name *name = check->names.at[i];
     for (size_t j = 0; j < name->definitions.count; j++)
-      if (!name->definitions.at[j].used)
+      if (!name->definitions.at[j].used && !name->definitions.at[j].made)
         diag_warning(check->diag, WARN_UNUSED_DEFINE, name->definitions.at[j].span, "`%s` is never used", name->text);
   }
 }

@@ -189,6 +189,27 @@ static void print_setting(Printer *printer, const AstStatement *statement) {
 }
 
 // What gives a name a meaning.
+// What is read from a file, or a surface of a simple form. What a view file names has a path of its own, and no name
+// that could be written.
+static void print_file(Printer *printer, const AstStatement *statement) {
+  FILE *out = OUT(printer);
+  const char *what = statement->kind == AST_SURFACE ? "surface" : statement->kind == AST_CURVE ? "curve" : "function";
+  if (statement->name) {
+    fprintf(out, "%s ", what);
+    for (const char *c = statement->name; *c; c++) fputc(*c == '.' ? '_' : *c, out);
+    fputc(':', out);
+  } else {
+    fputs("functions:", out);
+  }
+  const SourceFile *beside = statement->beside;
+  const char *slash = beside ? strrchr(beside->path, '/') : NULL;
+  if (slash && statement->value->kind == AST_STRING && *statement->value->text != '/')
+    fprintf(out, " \"%.*s%s\"", (int)(slash + 1 - beside->path), beside->path, statement->value->text);
+  else
+    print_value(printer, "", statement->value);
+  if (statement->low) print_value(printer, ",", statement->low);
+}
+
 static void print_definition(Printer *printer, const AstStatement *statement) {
   FILE *out = OUT(printer);
   switch (statement->kind) {
@@ -214,9 +235,8 @@ static void print_definition(Printer *printer, const AstStatement *statement) {
     fputs("colours:", out);
     print_names(printer, statement);
     break;
-  default:  // AST_SURFACE
-    fprintf(out, "surface %s:", statement->name);
-    print_value(printer, "", statement->value);
+  default:
+    print_file(printer, statement);
     break;
   }
 }
@@ -294,6 +314,8 @@ static void print_statement(Printer *printer, const AstStatement *statement, boo
   case AST_MODULES:
   case AST_SURFACE:
   case AST_COLOURS:
+  case AST_FUNCTION:
+  case AST_CURVE:
     print_definition(printer, statement);
     break;
   default:
@@ -326,6 +348,16 @@ static void print_gap(Printer *printer, const char *at, const char *end) {
     fmt_foreign_gap(&printer->lines, dialect, at, end);
 }
 
+// A setting of a view file that the grammar states itself.
+static bool is_overridden(const Ast *ast, const AstStatement *statement) {
+  if (!statement->fallback || statement->kind != AST_SETTING) return false;
+  for (size_t i = 0; i < ast->statements.count; i++) {
+    const AstStatement *other = &ast->statements.at[i];
+    if (other->kind == AST_SETTING && !other->fallback && other->setting == statement->setting) return true;
+  }
+  return false;
+}
+
 static void print_all(Printer *printer, const char *at, const char *end) {
   bool native = strcmp(printer->ast->rules.dialect, "native") == 0;
   if (printer->ast->extent.end) {
@@ -338,8 +370,8 @@ static void print_all(Printer *printer, const char *at, const char *end) {
     const AstStatement *statement = &printer->ast->statements.at[i];
     const char *text = fmt_text(&printer->writer, statement->span);
     const char *text_end = text + (text ? statement->span.end - statement->span.begin : 0);
-    bool included = native && !text;
-    if (included || printer->adaption.omit[i]) continue;
+    bool included = native && !text && !statement->fallback;
+    if (included || is_overridden(printer->ast, statement) || printer->adaption.omit[i]) continue;
     if (text >= at) {
       print_gap(printer, at, text);
       at = text_end;

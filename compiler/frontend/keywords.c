@@ -58,10 +58,15 @@ static const char *spelled_any(const char *at, const char *end, const char *spel
   return longest;
 }
 
+static bool is_directive(const Keyword *keyword) {
+  int token = keyword->token;
+  return token == TOK_DEFINE || token == TOK_UNDEF || token == TOK_INCLUDE || keyword_is_conditional(keyword);
+}
+
 KeywordMatch keyword_find(const char *at, const char *end, const Notation *notation) {
   KeywordMatch best = {0};
   for (int i = 0; i < KEYWORDS; i++)
-    for (int j = 0; j < 2; j++) {
+    for (int j = 0; j < 2 && (!notation->lines || is_directive(&keywords[i])); j++) {
       const char *found = spelled_any(at, end, keywords[i].spellings[j], notation);
       if (found && (!best.keyword || found > best.end)) best = (KeywordMatch){&keywords[i], found, NULL, found};
     }

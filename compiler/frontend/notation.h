@@ -17,6 +17,7 @@ typedef struct Notation {
   bool angle_unequal;  // `<>` is `!=`
   bool characters;     // symbols are characters: `@x` whatever x is, and in `ignore:` each by itself
   bool references;     // `&x` as an argument
+  bool lines;          // a statement is a line, and none but directives has a keyword: view files
 } Notation;
 
 extern const Notation notation_native, notation_cpfg;

@@ -2,6 +2,7 @@
 #include "frontend/fractint.h"
 #include "frontend/mws.h"
 #include "frontend/native.h"
+#include "frontend/view.h"
 #include "support/diag.h"
 
 #include <string.h>
@@ -43,7 +44,9 @@ Ast *parse_file(Arena *arena, Sources *sources, Diag *diag, const SourceFile *fi
   if (dialect != NATIVE && !(options && options->dialect))
     diag_remark(diag, (Span){file->base, file->base}, "read as a %s file; --dialect=native reads it otherwise",
                 dialects[dialect].name);
-  return dialects[dialect].parse(arena, sources, diag, file, options);
+  Ast *ast = dialects[dialect].parse(arena, sources, diag, file, options);
+  if (options && options->view) view_read(arena, sources, diag, options, ast);
+  return ast;
 }
 
 void parse_dump_tokens(Arena *arena, Sources *sources, Diag *diag, const SourceFile *file, const ParseOptions *options,

@@ -45,7 +45,9 @@ static void yyerror(const Span *span, Parser *parser, const char *message);
 %token START_EACH "`StartEach:`" END_EACH "`EndEach:`" FINISH "`End:`" ARRAYS "`define:`" DECOMPOSITION "`decomposition`"
 %token HOMOMORPHISM "`homomorphism`" PRODUCTIONS "`productions`" MAXIMUM_DEPTH "`maximum depth:`" TABLE "`table`"
 %token TABLES "`tables:`" RING "`ring lsystem`" LSYSTEM "`lsystem:`" ENDLSYSTEM "`endlsystem`" SURFACE "`surface`"
-%token COLOURS "`colours:`" ENVIRONMENT "`environment:`" PARAM "`param`" MODULE "`module`" MODULES "`#modules`" DEFINE "`#define`"
+%token COLOURS "`colours:`"
+%token FUNCTION_FILE "`function`" FUNCTION_SET "`functions:`" CURVE_FILE "`curve`"
+%token ENVIRONMENT "`environment:`" PARAM "`param`" MODULE "`module`" MODULES "`#modules`" DEFINE "`#define`"
 %token UNDEF "`#undef`" INCLUDE "`#include`" IFDEF "`#ifdef`" IFNDEF "`#ifndef`" ELIF "`#elif`" ENDIF "`#endif`"
 %token HASH_IF "`#if`" HASH_ELSE "`#else`"
 
@@ -124,6 +126,14 @@ statement:
 | ENDLSYSTEM { build_statement(parser, AST_ENDLSYSTEM); }
 | SURFACE NAME COLON expr { build_named(parser, AST_SURFACE, $2, @2)->value = $4; }
 | COLOURS names { build_statement(parser, AST_COLOURS)->symbols = $2; }
+| SURFACE NAME COLON expr COMMA expr {
+    AstStatement *s = build_named(parser, AST_SURFACE, $2, @2);
+    s->value = $4;
+    s->low = $6;
+  }
+| FUNCTION_FILE NAME COLON expr { build_named(parser, AST_FUNCTION, $2, @2)->value = $4; }
+| FUNCTION_SET expr { build_statement(parser, AST_FUNCTION)->value = $2; }
+| CURVE_FILE NAME COLON expr { build_named(parser, AST_CURVE, $2, @2)->value = $4; }
 | ENVIRONMENT expr { build_statement(parser, AST_ENVIRONMENT)->value = $2; }
 | declaration
 | blocks

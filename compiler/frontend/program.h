@@ -202,6 +202,7 @@ typedef struct Array {
   uint32_t sizes[4], dimensions;
   uint32_t slot;   // first element in the run's value array
   double *values;  // initial ones; product of sizes
+  bool constant;   // no action assigns its elements
 } Array;
 
 typedef struct Surface {

@@ -300,7 +300,8 @@ static void read_statement(Splitter *splitter, Statement *s) {
   w.line = s->begin;
   w.solid = w.line_solid = w.at;
   splitter->open.count = 0;
-  if (keyword && (keyword->rest == SCAN_LINE || (w.directive && splitter->notation->macros))) {
+  bool line = keyword && (keyword->rest == SCAN_LINE || (w.directive && splitter->notation->macros));
+  if (line || splitter->notation->lines) {
     walk_line(&w);
   } else {
     while (!w.done && w.at < w.end) step(&w);
