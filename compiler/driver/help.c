@@ -37,10 +37,38 @@ static void options_of(FILE *out, Command command) {
 
 // ---- topics ------------------------------------------------------------------
 
-static void warnings(FILE *out) {
-  fputs("-Wname switches a warning on, -Wno-name off; -Wall: all; -Werror: warnings are errors; -w: none.\n\n", out);
-#define WARNING(id, name, on, doc) lsys_help_row(out, name, on ? doc : doc " [off unless asked for]");
+static void warning_rows(LsysHelp *help) {
+  lsys_help_title(help,
+                  "-Wname switches a warning on, -Wno-name off; -Wall: all; -Werror: warnings are errors; -w: none.");
+#define WARNING(id, name, on, doc) lsys_help_entry(help, name, name, on ? doc : doc " [off unless asked for]");
 #include "support/warnings.def"
+}
+
+static void statement_rows(LsysHelp *help) {
+  lsys_help_title(help, "Statements of a grammar, one a line");
+  lsys_help_entry(help, "production --> -> :", "[L <] PRED [> R] [: COND] --> WORD [: WEIGHT]",
+                  "a production: PRED becomes WORD where it stands between L and R, and COND holds");
+#define KEYWORD(token, spellings, colon, rest, form, doc) lsys_help_entry(help, spellings, form, doc);
+#include "frontend/keywords.def"
+}
+
+// The options of lsysc itself, for a word such as dump.
+static void option_entries(LsysHelp *help) {
+  lsys_help_title(help, "Options of lsysc");
+  for (int i = 0; i < OPTION_COUNT; i++) {
+    char head[64];
+    options_head(&option_table[i], head, sizeof head);
+    lsys_help_entry(help, option_table[i].spelling + strspn(option_table[i].spelling, "-"), head, option_table[i].doc);
+  }
+}
+
+static void warnings(FILE *out) {
+  warning_rows(&(LsysHelp){.to = out});
+}
+
+static void statements(FILE *out) {
+  statement_rows(&(LsysHelp){.to = out});
+  fputs("\nAnd `lsysc help settings`.\n", out);
 }
 
 static const struct {
@@ -49,6 +77,7 @@ static const struct {
   const char *summary;
 } topics[] = {
   {"formats", NULL, "what a compiled program can write"},
+  {"statements", statements, "what a grammar is made of"},
   {"turtle", NULL, "the symbols that draw"},
   {"functions", NULL, "the functions of expressions"},
   {"operators", NULL, "the operators of expressions"},
@@ -61,17 +90,27 @@ static const struct {
 };
 enum { TOPIC_COUNT = sizeof topics / sizeof *topics };
 
-void help_command(FILE *out, Command command) {
-  const CommandRow *shown = &command_table[command];
+static void usage(FILE *out, const CommandRow *shown) {
   fprintf(out, "usage: lsysc %s%s%s\n", shown->name, *shown->name ? " " : "", shown->arguments);
-  if (command == COMMAND_COMPILE) fputs("       lsysc COMMAND ...\n", out);
+  if (shown == &command_table[COMMAND_COMPILE]) fputs("       lsysc COMMAND ...\n", out);
   fprintf(out, "\n%s\n%s%s", shown->summary, shown->doc, *shown->doc ? "\n" : "");
+}
+
+void help_command(FILE *out, Command command) {
+  bool all = command == COMMAND_COMPILE || command == COMMAND_HELP;
+  usage(out, &command_table[command]);
+  if (all) {
+    fputs("\ncommands:\n", out);
+    for (int i = 1; i < COMMAND_COUNT; i++) lsys_help_row(out, command_table[i].name, command_table[i].summary);
+    fputs("\ntopics (lsysc help TOPIC):\n", out);
+    for (int i = 0; i < TOPIC_COUNT; i++) lsys_help_row(out, topics[i].name, topics[i].summary);
+    fputs("\nEverything in these tables can be asked for: lsysc help F, lsysc help nran, lsysc help axiom, ...\n", out);
+  }
   options_of(out, command);
-  if (command != COMMAND_COMPILE && command != COMMAND_HELP) return;
-  fputs("\ncommands:\n", out);
-  for (int i = 1; i < COMMAND_COUNT; i++) lsys_help_row(out, command_table[i].name, command_table[i].summary);
-  fputs("\ntopics (lsysc help TOPIC):\n", out);
-  for (int i = 0; i < TOPIC_COUNT; i++) lsys_help_row(out, topics[i].name, topics[i].summary);
+  if (command == COMMAND_RUN || command == COMMAND_INTERP) {
+    fputs("\nOptions of the program\n\n", out);
+    lsys_help_options(out);
+  }
 }
 
 bool help_topic(FILE *out, const char *name) {
@@ -79,5 +118,11 @@ bool help_topic(FILE *out, const char *name) {
     if (strcmp(name, command_table[i].name) == 0) return help_command(out, (Command)i), true;
   for (int i = 0; i < TOPIC_COUNT; i++)
     if (topics[i].print && strcmp(name, topics[i].name) == 0) return topics[i].print(out), true;
-  return lsys_help_subject(out, name);
+  if (lsys_help_subject(out, name)) return true;
+  LsysHelp word = {.to = out, .only = name};
+  statement_rows(&word);
+  lsys_help_tables(&word);
+  warning_rows(&word);
+  option_entries(&word);
+  return word.any;
 }

@@ -10,7 +10,8 @@ void help_short(FILE *out);
 // The help of lsysc (COMMAND_COMPILE) or of one command.
 void help_command(FILE *out, Command command);
 
-// `lsysc help NAME`: a command, or a topic such as turtle, functions, warnings, man, bash. False: no such topic.
+// `lsysc help NAME`: a command, a topic such as turtle, functions, warnings, man, bash, or anything in the tables.
+// False: nothing is called that.
 bool help_topic(FILE *out, const char *name);
 
 #endif

@@ -7,7 +7,7 @@
 #include "support/utf8.h"
 
 static const Keyword keywords[] = {
-#define KEYWORD(token, spellings, colon, rest) {TOK_##token, {spellings, ""}, COLON_##colon, SCAN_##rest, 0},
+#define KEYWORD(token, spellings, colon, rest, form, doc) {TOK_##token, {spellings, ""}, COLON_##colon, SCAN_##rest, 0},
 #include "frontend/keywords.def"
 #undef KEYWORD
 #define SETTING(id, keyword, others, value, unit, doc)                                                                 \

@@ -27,9 +27,33 @@ void lsys_help_row(FILE *to, const char *left, const char *doc) {
   }
 }
 
-static void option_row(FILE *to, LsysOption option) {
+void lsys_help_title(LsysHelp *help, const char *title) {
+  help->title = title;
+}
+
+// Is word one of the names? A statement may be asked for with its colon.
+static bool is_named(const char *names, const char *word) {
+  size_t length = strlen(word);
+  if (length > 1 && word[length - 1] == ':') length--;
+  while (*names) {
+    size_t name = strcspn(names, " ");
+    if (name == length && strncmp(names, word, length) == 0) return true;
+    names += name + (names[name] == ' ');
+  }
+  return false;
+}
+
+void lsys_help_entry(LsysHelp *help, const char *names, const char *left, const char *doc) {
+  if (help->only && !is_named(names, help->only)) return;
+  if (help->title) fprintf(help->to, "%s%s\n", help->any ? "\n" : "", help->title);
+  help->title = NULL;
+  help->any = true;
+  lsys_help_row(help->to, left, doc);
+}
+
+static void option_entry(LsysHelp *help, LsysOption option) {
   const LsysOptionInfo *info = &lsys_options[option];
-  char left[80], letter[8] = "";
+  char left[80], names[80], letter[8] = "";
   if (info->letter) snprintf(letter, sizeof letter, "-%c, ", info->letter);
   const char *argument = info->argument ? info->argument : "";
   bool optional = info->type == LSYS_OPTION_SUBJECT;
@@ -38,13 +62,19 @@ static void option_row(FILE *to, LsysOption option) {
            : *argument ? " "
                        : "",
            argument, optional ? "]" : "");
-  lsys_help_row(to, left, info->doc);
+  snprintf(names, sizeof names, "%s --%s -%c", info->name, info->name, info->letter ? info->letter : '-');
+  lsys_help_entry(help, names, left, info->doc);
 }
 
-static void option_rows(FILE *to) {
-#define GROUP(title) fprintf(to, "\n%s\n", title);
-#define OPTION(id, letter, name, argument, type, doc) option_row(to, LSYS_OPTION_##id);
+static void options(LsysHelp *help) {
+#define GROUP(title) lsys_help_title(help, title);
+#define OPTION(id, letter, name, argument, type, doc) option_entry(help, LSYS_OPTION_##id);
 #include "core/options.def"
+}
+
+void lsys_help_options(FILE *to) {
+  LsysHelp help = {.to = to};
+  options(&help);
 }
 
 static void param_rows(FILE *to, const LsysGrammar *grammar) {
@@ -64,83 +94,106 @@ static void usage(FILE *to, const LsysGrammar *grammar) {
   const char *program = lsys_message_name();
   fprintf(to, "usage: %s [options]\n\nDerives the L-system %s and prints or draws what it becomes.\n", program,
           grammar->name);
-  option_rows(to);
+  fputc('\n', to);
+  lsys_help_options(to);
   param_rows(to, grammar);
   fprintf(to, "\nExamples\n");
 #define EXAMPLE(arguments, doc) fprintf(to, "  %s %-34s %s\n", program, arguments, doc);
 #include "core/options.def"
 }
 
-static void formats(FILE *to) {
-  fprintf(to, "Formats (--format NAME, or by the suffix of -o FILE)\n");
+static void formats(LsysHelp *help) {
+  lsys_help_title(help, "Formats (--format NAME, or by the suffix of -o FILE)");
   for (size_t i = 0; i < lsys_format_count; i++) {
-    char left[80], *at = left;
+    char left[80], names[80], *at = left;
+    snprintf(names, sizeof names, "%s %s", lsys_formats[i].name, lsys_formats[i].suffixes);
     at += snprintf(left, sizeof left, "%s", lsys_formats[i].name);
     for (const char *suffix = lsys_formats[i].suffixes; *suffix && at < left + 40;) {
       int length = (int)strcspn(suffix, " ");
       at += snprintf(at, 20, " .%.*s", length, suffix);
       suffix += length + (suffix[length] == ' ');
     }
-    lsys_help_row(to, left, lsys_formats[i].doc);
+    lsys_help_entry(help, names, left, lsys_formats[i].doc);
   }
 }
 
-static void turtle(FILE *to) {
-  fprintf(to, "What the turtle reads; it ignores every other symbol. F_x is read as F, f_x as f.\n");
+static void turtle(LsysHelp *help) {
+  lsys_help_title(help, "What the turtle reads; it ignores every other symbol. F_x is read as F, f_x as f.");
+  LsysTurtleOp asked = help->only ? lsys_turtle_op(help->only) : LSYS_TURTLE_NONE;
   for (int op = LSYS_TURTLE_NONE + 1; op < LSYS_TURTLE_COUNT; op++) {
     const LsysTurtleInfo *info = &lsys_turtle[op];
     char left[80], doc[320];
     snprintf(left, sizeof left, info->most ? "%s(%s)" : "%s", info->symbol, info->unit);
     snprintf(doc, sizeof doc, *info->fallback ? "%s [%s] (default: %s)" : "%s [%s]", info->doc, info->source,
              info->fallback);
-    lsys_help_row(to, left, doc);
+    lsys_help_entry(help, op == (int)asked ? help->only : info->symbol, left, doc);
   }
 }
 
-static void functions(FILE *to) {
-  fprintf(to, "Functions of expressions (angles in degrees)\n");
-  for (int i = 0; i < LSYS_FN_COUNT; i++) lsys_help_row(to, lsys_functions[i].name, lsys_functions[i].doc);
+static void functions(LsysHelp *help) {
+  lsys_help_title(help, "Functions of expressions (angles in degrees)");
+  for (int i = 0; i < LSYS_FN_COUNT; i++) {
+    const LsysFunctionInfo *info = &lsys_functions[i];
+    char left[80];
+    snprintf(left, sizeof left, "%s(%s)", info->name, info->arguments);
+    lsys_help_entry(help, info->name, left, info->doc);
+  }
 }
 
-static void settings(FILE *to) {
-  fprintf(to, "Statements of a grammar that set a default, `keyword: value`\n");
+static void settings(LsysHelp *help) {
+  lsys_help_title(help, "Statements of a grammar that set a default, `keyword: value`");
   for (int i = 0; i < LSYS_SETTING_COUNT; i++) {
     const LsysSettingInfo *info = &lsys_settings[i];
-    char doc[256];
-    snprintf(doc, sizeof doc, isnan(info->value) ? "%s" : "%s (default: %g %s)", info->doc, info->value, info->unit);
-    lsys_help_row(to, info->keyword, doc);
+    char names[80], left[80], doc[256];
+    snprintf(names, sizeof names, "%s %s", info->keyword, info->others);
+    snprintf(left, sizeof left, "%s:", info->keyword);
+    const char *unit = strcmp(info->unit, "degrees") == 0 ? " degrees" : "";
+    snprintf(doc, sizeof doc, isnan(info->value) ? "%s" : "%s (default: %g%s)", info->doc, info->value, unit);
+    lsys_help_entry(help, names, left, doc);
   }
 }
 
-static void operators(FILE *to) {
-  fprintf(to, "Operators of expressions, those that bind loosest first; a ? b : c binds looser than all\n");
-#define BINARY(id, spelling, precedence, right, doc) lsys_help_row(to, "a " spelling " b", doc);
-#define UNARY(id, spelling, precedence, doc) lsys_help_row(to, spelling "a", doc);
+static void operators(LsysHelp *help) {
+  lsys_help_title(help, "Operators of expressions, those that bind loosest first");
+  lsys_help_entry(help, "? :", "a ? b : c", "b if a holds, else c; the other one is not evaluated");
+#define BINARY(id, spelling, precedence, right, doc) lsys_help_entry(help, spelling, "a " spelling " b", doc);
+#define UNARY(id, spelling, precedence, doc) lsys_help_entry(help, spelling, spelling "a", doc);
 #include "lsys/operators.def"
 }
 
+static const struct {
+  const char *name;
+  void (*print)(LsysHelp *help);
+} subjects[] = {
+  {"formats", formats}, {"turtle", turtle}, {"functions", functions}, {"operators", operators}, {"settings", settings},
+};
+enum { SUBJECTS = sizeof subjects / sizeof *subjects };
+
 bool lsys_help_subject(FILE *to, const char *subject) {
-  static const struct {
-    const char *name;
-    void (*print)(FILE *to);
-  } subjects[] = {
-    {"formats", formats},     {"turtle", turtle},     {"functions", functions},
-    {"operators", operators}, {"settings", settings},
-  };
-  for (size_t i = 0; i < sizeof subjects / sizeof *subjects; i++) {
+  for (size_t i = 0; i < SUBJECTS; i++) {
     if (strcmp(subjects[i].name, subject) != 0) continue;
-    subjects[i].print(to);
+    subjects[i].print(&(LsysHelp){.to = to});
     return true;
   }
   return false;
 }
 
+void lsys_help_tables(LsysHelp *help) {
+  for (size_t i = 0; i < SUBJECTS; i++) subjects[i].print(help);
+  options(help);
+}
+
 bool lsys_help(FILE *to, const LsysGrammar *grammar, const char *subject) {
-  if (subject && lsys_help_subject(to, subject)) return true;
   if (!subject) {
     usage(to, grammar);
     return true;
   }
-  lsys_error("there is no help on '%s'; there is on: formats, turtle, functions, operators, settings", subject);
+  LsysHelp word = {.to = to, .only = subject};
+  if (lsys_help_subject(to, subject)) return true;
+  lsys_help_tables(&word);
+  if (word.any) return true;
+  lsys_error("there is no help on '%s'; there is on: formats, turtle, functions, operators, settings, and on every "
+             "name and symbol in them",
+             subject);
   return false;
 }

@@ -11,7 +11,8 @@
 enum { PURE = LSYS_FN_PURE, RANDOM = LSYS_FN_RANDOM, EFFECT = LSYS_FN_EFFECT };
 
 const LsysFunctionInfo lsys_functions[LSYS_FN_COUNT] = {
-#define FUNCTION(id, name, least, most, how, doc) [LSYS_FN_##id] = {name, least, most, (LsysFunctionHow)how, doc},
+#define FUNCTION(id, name, arguments, least, most, how, doc)                                                           \
+  [LSYS_FN_##id] = {name, arguments, least, most, (LsysFunctionHow)how, doc},
 #include "lsys/functions.def"
 };
 

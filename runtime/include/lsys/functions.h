@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 typedef enum LsysFunction {
-#define FUNCTION(id, name, least, most, how, doc) LSYS_FN_##id,
+#define FUNCTION(id, name, arguments, least, most, how, doc) LSYS_FN_##id,
 #include "lsys/functions.def"
   LSYS_FN_COUNT
 } LsysFunction;
@@ -14,7 +14,7 @@ typedef enum LsysFunction {
 typedef enum LsysFunctionHow { LSYS_FN_PURE, LSYS_FN_RANDOM, LSYS_FN_EFFECT } LsysFunctionHow;
 
 typedef struct LsysFunctionInfo {
-  const char *name;
+  const char *name, *arguments;
   int least, most;
   LsysFunctionHow how;
   const char *doc;

@@ -1,5 +1,5 @@
 # Every command and topic that `help` lists has a text.
-for topic in $(lsysc help | sed -n '/^commands:/,$s/^  \([a-z]*\) .*/\1/p'); do
+for topic in $(lsysc help | sed -n '/^commands:/,$s/^  \([a-z][a-z]*\) .*/\1/p'); do
   lsysc help $topic > text || echo "no help on $topic"
   [ -s text ] || echo "nothing on $topic"
   grep -n ' $' text | head -1
