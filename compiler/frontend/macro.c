@@ -7,11 +7,11 @@
 
 #include "support/utf8.h"
 
+#include <stdlib.h>
+
 enum { DEEPEST_MACRO = 100, MOST_BYTES = 1 << 24 };
 
-typedef struct Text {
-  const char *at, *end;
-} Text;
+typedef Stretch Text;
 typedef VEC(Text) Texts;
 typedef VEC(char) Bytes;
 
@@ -101,6 +101,14 @@ static const char *inert_end(const char *at, const char *end) {
   return number ? number_end(at, end) : NULL;
 }
 
+// Behind a `\` that joins the next line; NULL: this is none.
+static const char *join_end(const char *at, const char *end) {
+  if (at == end || *at != '\\') return NULL;
+  at++;
+  for (size_t n; (n = utf8_blank(at, end)) > 0;) at += n;
+  return at < end && *at == '\n' ? at + 1 : NULL;
+}
+
 // ---- definitions ---------------------------------------------------------------
 
 // The parameters of `NAME(a,b)`, from the parenthesis on; where they end, NULL if they do not.
@@ -164,12 +172,27 @@ static bool is_in_use(const Use *use, const Macro *macro) {
 
 static void expand(Expansion *e, Text text, const Use *use, Bytes *out);
 
+static int compare_begins(const void *place, const void *comment) {
+  uintptr_t a = (uintptr_t)place, b = (uintptr_t)((const Stretch *)comment)->at;
+  return (a > b) - (a < b);
+}
+
+// What leaves nothing behind: a joined line's end, a line's comment. NULL: this is neither.
+static const char *nothing_end(const Expansion *e, const char *at, const char *end) {
+  const char *joined = join_end(at, end);
+  const Statement *s = e->statement;
+  if (joined || *at != '/' || s->line_comments.count == 0) return joined;
+  const Stretch *comment = bsearch(at, s->line_comments.at, s->line_comments.count, sizeof *comment, compare_begins);
+  return comment ? comment->end : NULL;
+}
+
 // The arguments of a use, from the parenthesis on; where it ends, NULL if it does not.
 static const char *arguments(Expansion *e, Texts *list, const char *at, const char *end) {
   unsigned depth = 0;
   const char *begin = ++at;
   while (at < end) {
-    const char *behind = inert_end(at, end);
+    const char *behind = nothing_end(e, at, end);
+    if (!behind) behind = inert_end(at, end);
     if (behind) {
       at = behind;
     } else if (utf8_starts(at, end, "/*")) {
@@ -196,6 +219,11 @@ static Text substitute(Expansion *e, const Macro *macro, const Texts *given, con
   for (const char *at = macro->body.at, *end = macro->body.end; at < end;) {
     const char *behind = inert_end(at, end);
     size_t i = macro->parameters.count;
+    const char *joined = join_end(at, end);
+    if (joined) {
+      at = joined;
+      continue;
+    }
     if (!behind && is_letter(*at)) {
       behind = name_end(at, end);
       for (i = 0; i < macro->parameters.count; i++) {
@@ -269,6 +297,11 @@ static const char *defined_end(const char *at, const char *end) {
 
 static void expand(Expansion *e, Text text, const Use *use, Bytes *out) {
   for (const char *at = text.at; at < text.end && !e->failed;) {
+    const char *nothing = nothing_end(e, at, text.end);
+    if (nothing) {
+      at = nothing;
+      continue;
+    }
     const char *behind = inert_end(at, text.end);
     if (!behind && utf8_starts(at, text.end, "/*")) {
       // Nothing of a comment is replaced; outside of macros it stays, byte for byte.

@@ -16,8 +16,10 @@ const Notation notation_cpfg = {.macros = true,
                                 .left_power = true,
                                 .angle_unequal = true,
                                 .characters = true,
-
-                                .references = true};
+                                .references = true,
+                                .line_comments = true,
+                                .tight_colons = true,
+                                .object_arrows = true};
 
 // The names of #modules, module and surface statements become symbols.
 static void declare(Parser *parser, Statement *s) {

@@ -70,6 +70,7 @@ static size_t arrow_length(const char *at, const char *end, const Notation *nota
   if (!one) return 0;
   size_t two = one + minus_length(at + one, end);
   if (two > one && utf8_starts(at + two, end, ">")) return two + 1;
+  if (notation->object_arrows && utf8_starts(at, end, "-o>")) return 3;
   return notation->short_arrows && utf8_starts(at + one, end, ">") ? one + 1 : 0;
 }
 
@@ -168,15 +169,31 @@ static void string(Walk *w) {
   w->at = w->solid = at < w->end && *at == '"' ? at + 1 : w->at + 1;
 }
 
-// A `\` with white space before it and nothing behind it joins the next line.
+// A `\` with white space before it (in C's preprocessor: any) and nothing behind it joins the next line.
 static bool joined(Walk *w) {
-  if (w->solid == w->at && w->at != w->s->begin) return false;
+  if (w->solid == w->at && w->at != w->s->begin && !w->in->notation->line_comments) return false;
   const char *behind = skip_space(w->at + 1, w->end, false);
   if (behind < w->end && *behind != '\n') return false;
   if (behind < w->end)
     go_on(w, behind + 1, w->held);
   else
     finish(w, behind);
+  return true;
+}
+
+static bool in_expression(const Walk *w) {
+  return w->expression || w->in->open.count;
+}
+
+// Passes over a comment to the end of its line, if one begins here.
+static bool line_comment(Walk *w) {
+  const Notation *notation = w->in->notation;
+  char before = w->at == w->in->file->text ? '\n' : w->at[-1];
+  bool block = w->braces && utf8_starts(w->at, w->end, "//");
+  if (notation->line_comments ? !starts_line_comment(before, w->at, w->end, in_expression(w)) : !block) return false;
+  const char *begin = w->at;
+  w->at = line_end(begin, w->end);
+  *VEC_PUSH(w->in->arena, &w->s->line_comments) = (Stretch){begin, w->at};
   return true;
 }
 
@@ -251,9 +268,9 @@ static void step(Walk *w) {
     newline(w);
   } else if (utf8_starts(w->at, w->end, "/*")) {
     comment(w);
-  } else if (w->braces && !w->in->notation->macros && utf8_starts(w->at, w->end, "//")) {
-    w->at = line_end(w->at, w->end);
-  } else if (c == '"' && (w->expression || w->in->open.count)) {
+  } else if (c == '/' && line_comment(w)) {
+    // nothing of it is looked at
+  } else if (c == '"' && in_expression(w)) {
     string(w);
   } else if (c == '(' || c == '{') {
     opening(w);
@@ -279,17 +296,17 @@ static void walk_line(Walk *w) {
       comment(w);
       continue;
     }
+    if (w->in->notation->line_comments && line_comment(w)) return;
     size_t blank = utf8_blank(w->at, w->end);
     w->at += blank ? blank : 1;
     if (!blank) w->solid = w->at;
   }
 }
 
-// Reads the statement that begins at splitter->at.
-static void read_statement(Splitter *splitter, Statement *s) {
-  *s = (Statement){.file = splitter->file, .begin = splitter->at, .notation = splitter->notation};
-  s->first = keyword_match(splitter->at, splitter->end, splitter->notation);
-  const Keyword *keyword = s->first.keyword;
+// Reads the statement that begins at splitter->at, with that keyword or none.
+static void read_with(Splitter *splitter, Statement *s, KeywordMatch first) {
+  *s = (Statement){.file = splitter->file, .begin = splitter->at, .notation = splitter->notation, .first = first};
+  const Keyword *keyword = first.keyword;
   Walk w = {.in = splitter, .s = s, .at = splitter->at, .end = splitter->end};
   if (keyword) {
     w.at = s->first.rest;
@@ -309,6 +326,15 @@ static void read_statement(Splitter *splitter, Statement *s) {
   }
   s->end = w.solid;
   splitter->at = w.at;
+}
+
+static void read_statement(Splitter *splitter, Statement *s) {
+  const char *begin = splitter->at;
+  KeywordMatch first = keyword_match(begin, splitter->end, splitter->notation);
+  read_with(splitter, s, first);
+  if (!splitter->notation->tight_colons || !s->arrow || !first.colon || first.colon == first.end) return;
+  splitter->at = begin;
+  read_with(splitter, s, (KeywordMatch){0});
 }
 
 // Reports and skips a comment that never ends.

@@ -10,6 +10,10 @@
 #include "frontend/ast.h"
 #include "frontend/keywords.h"
 
+typedef struct Stretch {
+  const char *at, *end;
+} Stretch;
+
 typedef struct Statement {
   const SourceFile *file;
   const char *begin, *end;        // its text without white space around it
@@ -17,6 +21,7 @@ typedef struct Statement {
   const char *colons[2];          // of a label, of a guard: before the arrow; NULL: none
   const char *arrow, *arrow_end;  // outside parentheses, blocks and strings; NULL: none
   const char *weight;             // the colon behind the successor; NULL: none
+  VEC(Stretch) line_comments;     // `//` to the end of a line, in file order
   const char *unclosed;           // a `(` or `{` that is never closed; NULL: none
   const char *unclosed_before;    // the line that showed it; NULL: the end of the file, or its own line
   bool overridden;                // the #define of a -D whose value a param took over

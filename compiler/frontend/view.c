@@ -47,7 +47,7 @@ typedef struct View {
   VEC(const char *) idle;  // commands without a meaning, each once
 } View;
 
-static const Notation notation_view = {.macros = true, .any_case = true, .lines = true};
+static const Notation notation_view = {.macros = true, .any_case = true, .lines = true, .line_comments = true};
 
 // ---- values ------------------------------------------------------------------
 
