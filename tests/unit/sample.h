@@ -62,6 +62,35 @@ static inline Sample *sample(const char *text, double angle) {
   return s;
 }
 
+// Rewrites a D0L word `steps` times, to be freed; rules are "L=+RF-LFL-FR+", the last one NULL.
+static inline char *sample_rewrite(const char *axiom, const char *const *rules, int steps) {
+  char *word = strdup(axiom);
+  for (int s = 0; s < steps; s++) {
+    size_t room = 1;
+    for (const char *c = word; *c; c++) {
+      size_t n = 1;
+      for (const char *const *r = rules; *r; r++)
+        if ((*r)[0] == *c) n = strlen(*r) - 2;
+      room += n;
+    }
+    char *next = malloc(room), *out = next;
+    for (const char *c = word; *c; c++) {
+      const char *successor = NULL;
+      for (const char *const *r = rules; *r; r++)
+        if ((*r)[0] == *c) successor = *r + 2;
+      if (successor) {
+        out = stpcpy(out, successor);
+      } else {
+        *out++ = *c;
+      }
+    }
+    *out = 0;
+    free(word);
+    word = next;
+  }
+  return word;
+}
+
 static inline void sample_release(Sample *s) {
   free(s->sym);
   free(s->arg);

@@ -45,35 +45,6 @@ static void assert_at(LsysVec3 p, double x, double y, double z) {
     fail_msg("(%.17g, %.17g, %.17g) is not (%g, %g, %g)", p.x, p.y, p.z, x, y, z);
 }
 
-// Rewrites a D0L word `steps` times; rules are "L=+RF-LFL-FR+".
-static char *rewrite(const char *axiom, const char *const *rules, int steps) {
-  char *word = strdup(axiom);
-  for (int s = 0; s < steps; s++) {
-    size_t room = 1;
-    for (const char *c = word; *c; c++) {
-      size_t n = 1;
-      for (const char *const *r = rules; *r; r++)
-        if ((*r)[0] == *c) n = strlen(*r) - 2;
-      room += n;
-    }
-    char *next = malloc(room), *out = next;
-    for (const char *c = word; *c; c++) {
-      const char *successor = NULL;
-      for (const char *const *r = rules; *r; r++)
-        if ((*r)[0] == *c) successor = *r + 2;
-      if (successor) {
-        out = stpcpy(out, successor);
-      } else {
-        *out++ = *c;
-      }
-    }
-    *out = 0;
-    free(word);
-    word = next;
-  }
-  return word;
-}
-
 static void starts_up_the_page(void **state) {
   (void)state;
   LsysMeasure m;
@@ -132,7 +103,7 @@ static void moves_without_drawing(void **state) {
 // A curve that closes does so exactly, and a part boundary changes nothing.
 static void check_curve(const char *axiom, const char *const *rules, double angle, int steps, uint64_t segments,
                         LsysVec3 size, double x, double y) {
-  char *word = rewrite(axiom, rules, steps);
+  char *word = sample_rewrite(axiom, rules, steps);
   Sample *s = sample(word, angle);
   for (uint64_t part = 1; part < 10000; part = part * 7 + 4) {
     LsysMeasure m;
@@ -374,7 +345,7 @@ static void orders_of_trees(void **state) {
 static void counts_places(void **state) {
   (void)state;
   const char *hilbert[] = {"L=+RF-LFL-FR+", "R=-LF+RFR+FL-", NULL};
-  char *word = rewrite("L", hilbert, 6);
+  char *word = sample_rewrite("L", hilbert, 6);
   Sample *s = sample(word, 90);
   LsysPlaces places;
   lsys_places_begin(&places, NULL);
