@@ -7,6 +7,7 @@
 #include "sinks/layout.h"
 #include "sinks/tubes.h"
 #include "turtle/turtle.h"
+#include "turtle/vector.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -36,6 +37,19 @@ static uint32_t choose_sides(const ModelSink *m) {
   return segments > SOME_SEGMENTS ? 4 : segments > FEW_SEGMENTS ? 6 : 8;
 }
 
+// Models hold 32-bit numbers, and what is done with them squares them.
+static bool check_reach(const ModelSink *m) {
+  const double most = 1e18, thick = m->layout.thickest * m->tubes.width;
+  for (uint32_t i = 0; i < m->layout.figures; i++) {
+    const LsysFigure *f = &m->layout.figure[i];
+    double reach = fmax(fmax(vec_reach(f->low), vec_reach(f->high)), thick);
+    if (!f->drawn || reach <= most) continue;
+    lsys_error("the figure of axiom %u reaches to %g: a model holds numbers up to %g", i + 1, reach, most);
+    return false;
+  }
+  return true;
+}
+
 static bool open_model(ModelSink *m) {
   LsysPictureOptions options = lsys_picture_defaults;
   options.line_width = m->options.line_width;
@@ -43,6 +57,7 @@ static bool open_model(ModelSink *m) {
   lsys_layout_fit(&m->layout, &options, &page);
   m->tubes.width = lsys_turtle_widths_are_lengths(m->turtle) ? 1 : m->layout.unit / m->layout.scale;
   m->tubes.sides = choose_sides(m);
+  if (!check_reach(m)) return false;
   m->open = true;
   lsys_palette_make(&m->palette, &m->options.colours, m->grammar, true);
   return m->model->open(m->model, &m->palette);

@@ -65,9 +65,13 @@ static LsysPoint on_page(const Picture *p, LsysVec3 v) {
   return (LsysPoint){f->x + s.x * p->layout.scale, f->y - s.y * p->layout.scale, s.z * p->layout.scale};
 }
 
-// A width of 0 is still seen.
+// A width of 0 is still seen, and one that covers the page from any place is as good as any greater one.
+static double ink_width(const Picture *p, double pixels) {
+  return fmin(fmax(pixels, 0.05), 4.0 * (p->page.width + p->page.height));
+}
+
 static LsysInk ink_of(const Picture *p, const LsysPen *pen, double factor) {
-  return (LsysInk){fmax(pen->width * p->layout.unit * factor, 0.05), p->palette.rgb[pen->colour]};
+  return (LsysInk){ink_width(p, pen->width * p->layout.unit * factor), p->palette.rgb[pen->colour]};
 }
 
 static bool draw_stroke(Picture *p, const LsysVec3 *v, size_t count, const LsysPen *pen, bool joined) {
@@ -189,7 +193,7 @@ static bool ball(LsysGeometry *geometry, const LsysVec3 *centre, double diameter
     return p->measure.geometry.ball(&p->measure.geometry, &middle, diameter, disc, pen);
   }
   LsysPoint at[2] = {on_page(p, *centre), on_page(p, *centre)};
-  LsysInk ink = {diameter * p->layout.scale, p->palette.rgb[pen->colour]};
+  LsysInk ink = {ink_width(p, diameter * p->layout.scale), p->palette.rgb[pen->colour]};
   if (disc && p->solid) return draw_disc(p, at[0], ink.width / 2, ink.rgb);
   return p->canvas->line(p->canvas, at, 2, &ink, false);
 }

@@ -54,6 +54,11 @@ static inline double vec_length(LsysVec3 a) {
   return sqrt(vec_dot(a, a));
 }
 
+// The largest coordinate, without its sign.
+static inline double vec_reach(LsysVec3 a) {
+  return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+}
+
 static inline LsysVec3 vec_unit(LsysVec3 a) {
   return vec_scale(a, 1 / vec_length(a));
 }
