@@ -148,7 +148,7 @@ static bool choose_threads(LsysDerivation *derivation, const LsysOptions *option
 bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar, const LsysOptions *options,
                           LsysMemory *memory) {
   const LsysOptionValue *seed = &options->at[LSYS_OPTION_SEED], *range = &options->at[LSYS_OPTION_RANGE];
-  *derivation = (LsysDerivation){.worker = {.memory = memory, .run.grammar = grammar}};
+  *derivation = (LsysDerivation){.worker = {.memory = memory, .run = {.grammar = grammar, .memory = memory}}};
   LsysRun *run = &derivation->worker.run;
   derivation->has_range = range->given;
   if (range->given && !lsys_range_parse(range, &derivation->range)) return false;

@@ -6,6 +6,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 enum { LEAST_CAPACITY = 64 };
@@ -17,6 +18,7 @@ uint64_t lsys_memory_default(void) {
 }
 
 bool lsys_memory_take(LsysMemory *memory, uint64_t bytes) {
+  if (!memory) return true;
   uint64_t used = atomic_load_explicit(&memory->used, memory_order_relaxed);
   do {
     if (bytes > memory->limit || used > memory->limit - bytes) return false;
@@ -26,7 +28,7 @@ bool lsys_memory_take(LsysMemory *memory, uint64_t bytes) {
 }
 
 void lsys_memory_give(LsysMemory *memory, uint64_t bytes) {
-  atomic_fetch_sub_explicit(&memory->used, bytes, memory_order_relaxed);
+  if (memory) atomic_fetch_sub_explicit(&memory->used, bytes, memory_order_relaxed);
 }
 
 // A size for people: three digits, in the unit that fits.
@@ -45,6 +47,10 @@ static SizeText size_text(uint64_t bytes) {
 }
 
 void lsys_memory_refuse(const LsysMemory *memory, uint64_t bytes) {
+  if (!memory) {
+    lsys_error("out of memory: %s more are wanted", size_text(bytes).text);
+    return;
+  }
   lsys_error("out of memory: %s are in use, %s more are wanted, and --max-memory is %s",
              size_text(atomic_load(&memory->used)).text, size_text(bytes).text, size_text(memory->limit).text);
 }
@@ -85,4 +91,25 @@ void *lsys_memory_grow(LsysMemory *memory, void *at, size_t *capacity, size_t si
   }
   *capacity = wanted;
   return grown;
+}
+
+bool lsys_memory_fit(LsysMemory *memory, void *array, size_t *room, size_t count, size_t size) {
+  if (count <= *room) return true;
+  size_t wanted = *room < LEAST_CAPACITY / 2 ? LEAST_CAPACITY : 2 * *room, bytes;
+  if (wanted < count) wanted = count;
+  if (__builtin_mul_overflow(wanted, size, &bytes)) bytes = SIZE_MAX;
+  void *old, *grown = NULL;
+  memcpy(&old, array, sizeof old);
+  // Both arrays stand side by side while the old one is copied.
+  if (lsys_memory_take(memory, bytes)) {
+    grown = realloc(old, bytes);
+    lsys_memory_give(memory, grown ? *room * size : bytes);
+  }
+  if (!grown) {
+    lsys_memory_refuse(memory, bytes);
+    return false;
+  }
+  memcpy(array, &grown, sizeof grown);
+  *room = wanted;
+  return true;
 }

@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+// No account (NULL) books nothing and refuses nothing.
 typedef struct LsysMemory {
   _Atomic uint64_t used;
   uint64_t limit;  // bytes
@@ -31,5 +32,9 @@ void lsys_memory_free(LsysMemory *memory, void *at, size_t count, size_t size);
 // Doubles an array of *capacity elements (at least 64); the new part is not cleared.
 // NULL after printing why not: the old array stays.
 void *lsys_memory_grow(LsysMemory *memory, void *at, size_t *capacity, size_t size);
+
+// Grows the array at *array, a pointer to elements of size bytes, until its *room is count elements or more. The new
+// part is not cleared. False after printing why not: the array stays. Freed by lsys_memory_free with its room.
+bool lsys_memory_fit(LsysMemory *memory, void *array, size_t *room, size_t count, size_t size);
 
 #endif

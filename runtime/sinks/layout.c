@@ -113,13 +113,16 @@ static void set_line_width(LsysLayout *layout, const LsysPictureOptions *options
   layout->unit = unit;
 }
 
+void lsys_layout_page(const LsysPictureOptions *options, LsysPage *page) {
+  page->width = options->width;
+  page->height = options->height;
+  page->background = options->background;
+  page->transparent = options->transparent;
+  page->antialias = options->antialias;
+}
+
 void lsys_layout_fit(LsysLayout *layout, const LsysPictureOptions *options, LsysPage *page) {
-  *page = (LsysPage){.width = options->width,
-                     .height = options->height,
-                     .background = options->background,
-                     .transparent = options->transparent,
-                     .antialias = options->antialias,
-                     .solid = page->solid};
+  lsys_layout_page(options, page);
   Extent e = extent_of(layout);
   set_scale(layout, &e, page);
   place_figures(layout, &e, page);

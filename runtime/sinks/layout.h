@@ -29,6 +29,9 @@ void lsys_layout_destroy(LsysLayout *layout);
 // Takes in what one start word's figure measured. False after printing that it has no finite size.
 bool lsys_layout_add(LsysLayout *layout, uint32_t which, const LsysMeasure *measure);
 
+// What the options say of a page; the rest of it stays.
+void lsys_layout_page(const LsysPictureOptions *options, LsysPage *page);
+
 // Fits the figures side by side, their feet on one line, to a page, of the options' size or
 // of one that suits them.
 void lsys_layout_fit(LsysLayout *layout, const LsysPictureOptions *options, LsysPage *page);

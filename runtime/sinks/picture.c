@@ -4,6 +4,7 @@
 // Requires that a pass over all start words ends before the next one begins.
 #include "sinks/picture.h"
 
+#include "core/memory.h"
 #include "core/message.h"
 #include "sinks/digits.h"
 #include "sinks/film.h"
@@ -39,7 +40,8 @@ typedef struct Picture {
   LsysEye *eye;      // of each figure
   LsysVec3 *corner;  // of a polygon
   LsysPoint *place;
-  size_t corner_room;
+  size_t corner_room, place_room;
+  LsysMemory *memory;
 } Picture;
 
 static Picture *picture_of(LsysGeometry *geometry) {
@@ -124,14 +126,8 @@ static bool strokes(LsysGeometry *geometry, const LsysStrokes *batch) {
 }
 
 static bool make_room(Picture *p, size_t count) {
-  if (count <= p->corner_room) return true;
-  free(p->corner);
-  free(p->place);
-  p->corner = calloc(count, sizeof *p->corner);
-  p->place = calloc(count, sizeof *p->place);
-  p->corner_room = p->corner && p->place ? count : 0;
-  if (!p->corner_room) lsys_error("out of memory for a polygon of %zu vertices", count);
-  return p->corner_room;
+  return lsys_memory_fit(p->memory, &p->corner, &p->corner_room, count, sizeof *p->corner)
+      && lsys_memory_fit(p->memory, &p->place, &p->place_room, count, sizeof *p->place);
 }
 
 static bool polygon(LsysGeometry *geometry, const LsysVec3 *vertices, size_t count, const LsysPen *pen) {
@@ -246,7 +242,6 @@ static void take_from_film(Picture *p, const LsysFilm *film) {
 
 static bool open_page(Picture *p) {
   LsysFilm *film = p->options.film;
-  p->page.solid = p->solid;
   lsys_layout_fit(&p->layout, &p->options, &p->page);
   if (lsys_turtle_widths_are_lengths(p->turtle)) p->layout.unit = p->layout.scale;
   if (film && film->laid_out) take_from_film(p, film);
@@ -263,6 +258,13 @@ static void choose_view(Picture *p) {
   p->view = lsys_view(given ? o->azimuth : flat ? 0 : 25, given ? o->elevation : flat ? 0 : 15);
 }
 
+// A page whose size is given is refused before any work is done for it.
+static bool reserve_page(Picture *p) {
+  if (!p->options.width || !p->canvas->reserve) return true;
+  lsys_layout_page(&p->options, &p->page);
+  return p->canvas->reserve(p->canvas, &p->page);
+}
+
 static bool start(Picture *p, const LsysRun *run) {
   if (p->turtle) return true;
   uint32_t figures = run->grammar->axiom_count;
@@ -270,9 +272,13 @@ static bool start(Picture *p, const LsysRun *run) {
   if (!p->eye) lsys_error("out of memory");
   if (!p->eye || !lsys_layout_create(&p->layout, figures)) return false;
   p->turtle = lsys_turtle_create(run);
-  if (p->turtle) choose_view(p);
+  if (!p->turtle) return false;
+  p->memory = run->memory;
+  choose_view(p);
   lsys_palette_make(&p->palette, &p->options.colours, run->grammar, p->solid);
-  return p->turtle != NULL;
+  p->page.memory = p->memory;
+  p->page.solid = p->solid;
+  return reserve_page(p);
 }
 
 // What the turtle draws to in this pass.
@@ -323,8 +329,8 @@ static void destroy(LsysSink *sink) {
   lsys_layout_destroy(&p->layout);
   p->canvas->destroy(p->canvas);
   free(p->eye);
-  free(p->corner);
-  free(p->place);
+  lsys_memory_free(p->memory, p->corner, p->corner_room, sizeof *p->corner);
+  lsys_memory_free(p->memory, p->place, p->place_room, sizeof *p->place);
   free(p);
 }
 

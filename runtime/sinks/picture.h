@@ -38,8 +38,9 @@ typedef struct LsysPage {
   uint32_t width, height;
   uint32_t background;
   bool transparent, antialias;
-  bool solid;     // figures have depth: what is nearer hides what is behind it, and light falls on it
-  double detail;  // mean length of a segment in pixels
+  bool solid;                 // figures have depth: what is nearer hides what is behind it, and light falls on it
+  double detail;              // mean length of a segment in pixels
+  struct LsysMemory *memory;  // that what is drawn is booked on; NULL: none
 } LsysPage;
 
 typedef struct LsysInk {
@@ -51,6 +52,8 @@ typedef struct LsysCanvas LsysCanvas;
 
 // What a picture format does. Each returns false to stop after printing an error.
 struct LsysCanvas {
+  // May be NULL: takes what a page of this size will need, before anything is measured.
+  bool (*reserve)(LsysCanvas *canvas, const LsysPage *page);
   bool (*open)(LsysCanvas *canvas, const LsysPage *page);
   // count >= 2 connected points. joined: they go on from the last point of the line before.
   bool (*line)(LsysCanvas *canvas, const LsysPoint *point, size_t count, const LsysInk *ink, bool joined);

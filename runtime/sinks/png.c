@@ -1,4 +1,5 @@
 // png.c -- a canvas of pixels that becomes a PNG file when it is closed.
+#include "core/memory.h"
 #include "core/message.h"
 #include "core/out.h"
 #include "sinks/raster.h"
@@ -14,11 +15,16 @@ typedef struct Png {
   LsysRaster *raster;
 } Png;
 
-static bool open_page(LsysCanvas *canvas, const LsysPage *page) {
+static bool reserve(LsysCanvas *canvas, const LsysPage *page) {
   Png *p = (Png *)canvas;
   p->page = *page;
   p->raster = page->solid ? lsys_raster_solid(page) : lsys_raster_flat(page);
   return p->raster != NULL;
+}
+
+// Of the size that was reserved, if one was.
+static bool open_page(LsysCanvas *canvas, const LsysPage *page) {
+  return ((Png *)canvas)->raster || reserve(canvas, page);
 }
 
 static bool line(LsysCanvas *canvas, const LsysPoint *point, size_t count, const LsysInk *ink, bool joined) {
@@ -81,13 +87,13 @@ static bool write_file(png_structp png, png_infop info, const Png *p, uint8_t *r
 
 static bool close_page(LsysCanvas *canvas) {
   Png *p = (Png *)canvas;
-  uint8_t *row = malloc((size_t)p->page.width * 4);
+  uint8_t *row = lsys_memory_alloc(p->page.memory, p->page.width, 4);
   png_structp png = row ? png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, refuse, keep_quiet) : NULL;
   png_infop info = png ? png_create_info_struct(png) : NULL;
   bool ok = info && write_file(png, info, p, row);
-  if (!info) lsys_error("out of memory");
+  if (row && !info) lsys_error("out of memory");
   png_destroy_write_struct(&png, &info);
-  free(row);
+  lsys_memory_free(p->page.memory, row, p->page.width, 4);
   return ok;
 }
 
@@ -103,7 +109,7 @@ LsysSink *lsys_png_create(LsysOut *out, const LsysPictureOptions *options) {
     lsys_error("out of memory");
     return NULL;
   }
-  p->canvas = (LsysCanvas){open_page, line, fill, close_page, destroy};
+  p->canvas = (LsysCanvas){reserve, open_page, line, fill, close_page, destroy};
   p->out = out;
   return lsys_picture_create(&p->canvas, options);
 }

@@ -8,6 +8,7 @@
 // colour first merges top and base.
 #include "sinks/raster.h"
 
+#include "core/memory.h"
 #include "core/message.h"
 
 #include <math.h>
@@ -38,8 +39,10 @@ typedef struct Raster {
   bool antialias;
   Edge *edge;
   Crossing *crossing;
-  size_t edge_room;
-  float *cover;  // of one row of a fill
+  size_t edge_room, crossing_room;
+  LsysMemory *memory;
+  uint64_t booked;  // of this and cover
+  float *cover;     // of one row of a fill
   Pixel pixel[];
 } Raster;
 
@@ -221,17 +224,9 @@ static size_t drop_passed(Raster *r, size_t active, double y) {
 static bool fill(LsysRaster *raster, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb) {
   (void)normal;
   Raster *r = (Raster *)raster;
-  if (count > r->edge_room) {
-    free(r->edge);
-    free(r->crossing);
-    r->edge = calloc(count, sizeof *r->edge);
-    r->crossing = calloc(count, sizeof *r->crossing);
-    r->edge_room = r->edge && r->crossing ? count : 0;
-    if (!r->edge_room) {
-      lsys_error("out of memory for a polygon of %zu vertices", count);
-      return false;
-    }
-  }
+  if (!lsys_memory_fit(r->memory, &r->edge, &r->edge_room, count, sizeof *r->edge)
+      || !lsys_memory_fit(r->memory, &r->crossing, &r->crossing_room, count, sizeof *r->crossing))
+    return false;
   size_t edges = make_edges(r, point, count);
   if (!edges) return true;
   double last = r->edge[0].y1;
@@ -251,22 +246,31 @@ static bool fill(LsysRaster *raster, const LsysPoint *point, const LsysVec3 *nor
 
 static void destroy(LsysRaster *raster) {
   Raster *r = (Raster *)raster;
-  free(r->edge);
-  free(r->crossing);
+  LsysMemory *memory = r->memory;
+  lsys_memory_free(memory, r->edge, r->edge_room, sizeof *r->edge);
+  lsys_memory_free(memory, r->crossing, r->crossing_room, sizeof *r->crossing);
   free(r->cover);
+  lsys_memory_give(memory, r->booked);
   free(r);
 }
 
+bool lsys_raster_book(const LsysPage *page, uint64_t bytes) {
+  if (bytes < SIZE_MAX && lsys_memory_take(page->memory, bytes)) return true;
+  lsys_error("a picture of %ux%u pixels takes %.3g MiB, which is more than --max-memory leaves", page->width,
+             page->height, (double)bytes / (1 << 20));
+  return false;
+}
+
 LsysRaster *lsys_raster_flat(const LsysPage *page) {
-  size_t pixels, bytes;
-  Raster *r = NULL;
-  if (!__builtin_mul_overflow((size_t)page->width, page->height, &pixels)
-      && !__builtin_mul_overflow(pixels, sizeof *r->pixel, &bytes) && bytes < SIZE_MAX - sizeof *r)
-    r = malloc(sizeof *r + bytes);
-  float *cover = calloc((size_t)page->width + 2, sizeof *cover);
-  if (!r || !cover || page->width > 1 << 20 || page->height > 1 << 20) {
+  uint64_t pixels = (uint64_t)page->width * page->height, covers = (uint64_t)page->width + 2;
+  uint64_t bytes = sizeof(Raster) + pixels * sizeof(Pixel) + covers * sizeof(float);
+  if (!lsys_raster_book(page, bytes)) return NULL;
+  Raster *r = malloc(sizeof *r + (size_t)pixels * sizeof *r->pixel);
+  float *cover = calloc((size_t)covers, sizeof *cover);
+  if (!r || !cover) {
     free(r);
     free(cover);
+    lsys_memory_give(page->memory, bytes);
     lsys_error("a picture of %ux%u pixels does not fit into memory", page->width, page->height);
     return NULL;
   }
@@ -274,8 +278,10 @@ LsysRaster *lsys_raster_flat(const LsysPage *page) {
                 .width = (int)page->width,
                 .height = (int)page->height,
                 .antialias = page->antialias,
+                .memory = page->memory,
+                .booked = bytes,
                 .cover = cover};
   uint32_t base = page->background | (page->transparent ? 0 : 0xff000000u);
-  for (size_t i = 0; i < pixels; i++) r->pixel[i] = (Pixel){base, 0};
+  for (uint64_t i = 0; i < pixels; i++) r->pixel[i] = (Pixel){base, 0};
   return &r->raster;
 }

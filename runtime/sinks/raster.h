@@ -16,6 +16,9 @@ struct LsysRaster {
   void (*destroy)(LsysRaster *raster);
 };
 
+// Books the bytes of a raster. False after printing that it is too big.
+bool lsys_raster_book(const LsysPage *page, uint64_t bytes);
+
 // In the order in which things are drawn, edges anti-aliased. 8 bytes a pixel. NULL after printing that it is too big.
 LsysRaster *lsys_raster_flat(const LsysPage *page);
 

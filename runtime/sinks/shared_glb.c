@@ -7,6 +7,7 @@
 // each colour that it begins with or changes to; with another pen it shares
 // places and indices and differs in materials only.
 // Source: Khronos, glTF 2.0 specification, sections 3.5, 3.7 and 3.9.
+#include "core/memory.h"
 #include "core/message.h"
 #include "sinks/glb.h"
 #include "sinks/layout.h"
@@ -75,19 +76,8 @@ typedef struct Glb {
   } open[2][256];
 } Glb;
 
-static bool grow(void *array, size_t *room, size_t count, size_t size) {
-  if (count <= *room) return true;
-  size_t wanted = count < 128 ? 256 : 2 * count;
-  void *old, *grown;
-  memcpy(&old, array, sizeof old);
-  grown = wanted < SIZE_MAX / size ? realloc(old, wanted * size) : NULL;
-  if (!grown) {
-    lsys_error("out of memory for the meshes of the figure");
-    return false;
-  }
-  memcpy(array, &grown, sizeof grown);
-  *room = wanted;
-  return true;
+static bool grow(const Glb *g, void *array, size_t *room, size_t count, size_t size) {
+  return lsys_memory_fit(g->parts->run->memory, array, room, count, size);
 }
 
 // ---- meshes --------------------------------------------------------------
@@ -112,7 +102,7 @@ static bool take_indices(Glb *g, int lines, const uint32_t *index, const uint8_t
                          size_t corners) {
   for (size_t i = 0; i < count; i++) {
     struct Indices *to = &g->open[lines][colour[i]];
-    if (!grow(&to->at, &to->room, to->count + corners, sizeof *to->at)) return false;
+    if (!grow(g, &to->at, &to->room, to->count + corners, sizeof *to->at)) return false;
     for (size_t k = 0; k < corners; k++) to->at[to->count++] = index[corners * i + k];
   }
   return true;
@@ -131,7 +121,7 @@ static bool begin_mesh(Glb *g, uint32_t kind, double width, uint8_t colour) {
     lsys_error("--shared: the figure has more than %d different meshes", MOST_MESHES);
     return false;
   }
-  if (!grow(&g->mesh, &g->mesh_room, g->meshes + 1, sizeof *g->mesh)) return false;
+  if (!grow(g, &g->mesh, &g->mesh_room, g->meshes + 1, sizeof *g->mesh)) return false;
   g->mesh[g->meshes++] =
     (Mesh){kind, width, colour, g->vertices, 0, {FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
   g->tubes.vertices = 0;
@@ -145,7 +135,7 @@ static bool end_mesh(Glb *g) {
     for (int colour = 0; colour < 256; colour++) {
       struct Indices *from = &g->open[lines][colour];
       if (!from->count) continue;
-      if (!grow(&g->primitive, &g->primitive_room, g->primitives + 1, sizeof *g->primitive)) return false;
+      if (!grow(g, &g->primitive, &g->primitive_room, g->primitives + 1, sizeof *g->primitive)) return false;
       g->primitive[g->primitives++] =
         (Primitive){(uint32_t)g->meshes - 1, (uint8_t)colour, lines, g->indices, from->count};
       if (!lsys_spool_write(&g->index, from->at, from->count * sizeof *from->at)) return false;
@@ -201,7 +191,7 @@ static bool meet(void *data, uint32_t kind, uint64_t steps, const LsysPose *pose
     return lsys_parts_walk(g->parts, &word, steps - 1, &inside, &walk);
   }
   if (!(lsys_part(g->parts, kind, steps)->segments + lsys_part(g->parts, kind, steps)->polygons > 0)) return true;
-  if (!grow(&n->at, &n->room, n->count + 1, sizeof *n->at)) return false;
+  if (!grow(g, &n->at, &n->room, n->count + 1, sizeof *n->at)) return false;
   n->at[n->count++] = (Node){*pose, kind};
   return true;
 }
@@ -222,7 +212,7 @@ static bool find_look(Glb *g, uint32_t mesh, uint8_t colour, size_t *look) {
   for (*look = 0; *look < g->looks; ++*look) {
     if (g->look[*look].mesh == mesh && g->look[*look].colour == colour) return true;
   }
-  if (!grow(&g->look, &g->look_room, g->looks + 1, sizeof *g->look)) return false;
+  if (!grow(g, &g->look, &g->look_room, g->looks + 1, sizeof *g->look)) return false;
   g->look[g->looks++] = (Look){mesh, colour};
   return true;
 }
@@ -291,7 +281,7 @@ static bool write_figure(Glb *g, uint32_t axiom, double shift) {
     if (well && mesh != NO_MESH)
       well = find_look(g, mesh, (uint8_t)(at.colour - own), &look) && write_node(g, &at, look);
   }
-  free(nodes.at);
+  lsys_memory_free(g->parts->run->memory, nodes.at, nodes.room, sizeof *nodes.at);
   return well;
 }
 
@@ -463,6 +453,18 @@ static bool write_figures(Glb *g, uint32_t first, uint32_t end) {
   return true;
 }
 
+static void release(Glb *g) {
+  LsysMemory *memory = g->parts->run->memory;
+  for (int i = 0; i < 512; i++) {
+    const struct Indices *open = &g->open[i / 256][i % 256];
+    lsys_memory_free(memory, open->at, open->room, sizeof *open->at);
+  }
+  lsys_memory_free(memory, g->mesh, g->mesh_room, sizeof *g->mesh);
+  lsys_memory_free(memory, g->primitive, g->primitive_room, sizeof *g->primitive);
+  lsys_memory_free(memory, g->look, g->look_room, sizeof *g->look);
+  free(g);
+}
+
 bool lsys_shared_glb(LsysParts *parts, uint32_t first, uint32_t end, const LsysModelOptions *options, LsysOut *out) {
   Glb *g = calloc(1, sizeof *g);
   if (!g) {
@@ -476,6 +478,7 @@ bool lsys_shared_glb(LsysParts *parts, uint32_t first, uint32_t end, const LsysM
   choose_looks(g, options);
   bool well = choose_cut(g, first, end) && lsys_tubes_create(&g->tubes, &g->model) && lsys_spool_open(&g->vertex)
            && lsys_spool_open(&g->index) && lsys_spool_open(&g->node);
+  g->tubes.memory = parts->run->memory;
   g->tubes.width = g->width;
   g->tubes.sides = g->sides;
   well = well && write_figures(g, first, end) && write_file(g);
@@ -483,10 +486,6 @@ bool lsys_shared_glb(LsysParts *parts, uint32_t first, uint32_t end, const LsysM
   lsys_spool_close(&g->vertex);
   lsys_spool_close(&g->index);
   lsys_spool_close(&g->node);
-  for (int i = 0; i < 512; i++) free(g->open[i / 256][i % 256].at);
-  free(g->mesh);
-  free(g->primitive);
-  free(g->look);
-  free(g);
+  release(g);
   return well;
 }

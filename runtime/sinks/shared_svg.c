@@ -2,6 +2,7 @@
 // each pen that it is drawn with is one group, which uses the groups of its own
 // parts. The file grows with kinds times steps, not with segments.
 // Source: SVG 1.1, sections 5.5 (defs), 5.6 (use), 7.6 (transform).
+#include "core/memory.h"
 #include "core/message.h"
 #include "sinks/layout.h"
 #include "sinks/shared.h"
@@ -51,18 +52,17 @@ static void enter(Svg *s, size_t number) {
 }
 
 static bool grow(Svg *s) {
-  size_t room = s->room ? 2 * s->room : 256;
-  Variant *variant = realloc(s->variant, room * sizeof *variant);
-  if (variant) s->variant = variant;
-  free(s->slot);
-  s->slot = calloc(2 * room, sizeof *s->slot);
-  if (!variant || !s->slot || s->variants >= MOST_VARIANTS) {
+  LsysMemory *memory = s->parts->run->memory;
+  size_t slots = 2 * s->room;
+  if (s->variants >= MOST_VARIANTS) {
     lsys_error("the figure has more than %d parts with different pens", MOST_VARIANTS);
     return false;
   }
-  s->room = room;
-  for (size_t i = 0; i < s->variants; i++) enter(s, i);
-  return true;
+  if (!lsys_memory_fit(memory, &s->variant, &s->room, s->room + 1, sizeof *s->variant)) return false;
+  lsys_memory_free(memory, s->slot, slots, sizeof *s->slot);
+  s->slot = lsys_memory_alloc(memory, 2 * s->room, sizeof *s->slot);
+  for (size_t i = 0; s->slot && i < s->variants; i++) enter(s, i);
+  return s->slot;
 }
 
 // The number of a variant, which is written later if it is new. False after an error.
@@ -204,7 +204,7 @@ bool lsys_shared_svg(LsysParts *parts, uint32_t first, uint32_t end, const LsysP
   lsys_palette_make(&s.palette, &options->colours, parts->run->grammar, false);
   bool well = lsys_layout_create(&s.layout, parts->run->grammar->axiom_count) && write_all(&s, first, end, options);
   lsys_layout_destroy(&s.layout);
-  free(s.variant);
-  free(s.slot);
+  lsys_memory_free(parts->run->memory, s.variant, s.room, sizeof *s.variant);
+  lsys_memory_free(parts->run->memory, s.slot, 2 * s.room, sizeof *s.slot);
   return well;
 }

@@ -1,5 +1,6 @@
 // solid.c -- pixels with depth: cylinders and polygons, lit, the nearest one
 // seen. Each pixel is a square of samples; a sample keeps colour and depth.
+#include "core/memory.h"
 #include "core/message.h"
 #include "sinks/light.h"
 #include "sinks/raster.h"
@@ -22,7 +23,8 @@ typedef struct Solid {
   int factor, width, height;  // in samples
   LsysVec3 *corner;           // of a polygon
   uint32_t *triangle, *work;
-  size_t corner_room;
+  size_t corner_room, triangle_room, work_room;
+  uint64_t booked;
   Sample sample[];
 } Solid;
 
@@ -169,16 +171,10 @@ static void draw_triangle(Solid *s, const Triangle *t) {
 }
 
 static bool make_room(Solid *s, size_t count) {
-  if (count <= s->corner_room) return true;
-  free(s->corner);
-  free(s->triangle);
-  free(s->work);
-  s->corner = calloc(count, sizeof *s->corner);
-  s->triangle = calloc(count, 3 * sizeof *s->triangle);
-  s->work = calloc(count, sizeof *s->work);
-  s->corner_room = s->corner && s->triangle && s->work && count < UINT32_MAX ? count : 0;
-  if (!s->corner_room) lsys_error("out of memory for a polygon of %zu vertices", count);
-  return s->corner_room;
+  LsysMemory *memory = s->page.memory;
+  return lsys_memory_fit(memory, &s->corner, &s->corner_room, count, sizeof *s->corner)
+      && lsys_memory_fit(memory, &s->triangle, &s->triangle_room, count, 3 * sizeof *s->triangle)
+      && lsys_memory_fit(memory, &s->work, &s->work_room, count, sizeof *s->work);
 }
 
 static bool fill(LsysRaster *raster, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb) {
@@ -231,9 +227,11 @@ static void row(const LsysRaster *raster, uint32_t y, uint8_t *rgba) {
 
 static void destroy(LsysRaster *raster) {
   Solid *s = (Solid *)raster;
-  free(s->corner);
-  free(s->triangle);
-  free(s->work);
+  LsysMemory *memory = s->page.memory;
+  lsys_memory_free(memory, s->corner, s->corner_room, sizeof *s->corner);
+  lsys_memory_free(memory, s->triangle, s->triangle_room, 3 * sizeof *s->triangle);
+  lsys_memory_free(memory, s->work, s->work_room, sizeof *s->work);
+  lsys_memory_give(memory, s->booked);
   free(s);
 }
 
@@ -242,13 +240,16 @@ LsysRaster *lsys_raster_solid(const LsysPage *page) {
   int factor = page->antialias ? MOST_FACTOR : 1;
   while (factor > 1 && pixels * (uint64_t)(factor * factor) > MOST_SAMPLES) factor--;
   uint64_t samples = pixels * (uint64_t)(factor * factor), bytes = sizeof(Solid) + samples * sizeof(Sample);
-  Solid *s = bytes < SIZE_MAX ? malloc((size_t)bytes) : NULL;
+  if (!lsys_raster_book(page, bytes)) return NULL;
+  Solid *s = malloc((size_t)bytes);
   if (!s) {
+    lsys_memory_give(page->memory, bytes);
     lsys_error("a picture of %ux%u pixels does not fit into memory", page->width, page->height);
     return NULL;
   }
   *s = (Solid){.raster = {line, fill, row, destroy},
                .page = *page,
+               .booked = bytes,
                .factor = factor,
                .width = (int)page->width * factor,
                .height = (int)page->height * factor};

@@ -1,6 +1,7 @@
 // sorted.c -- a canvas for figures in space over one without depth: keeps
 // everything that is drawn, lit, and draws it from back to front in the end
 // (the painter's algorithm; Newell, Newell, Sancha 1972 without their splitting).
+#include "core/memory.h"
 #include "core/message.h"
 #include "sinks/light.h"
 #include "sinks/picture.h"
@@ -20,6 +21,7 @@ typedef struct Item {
 typedef struct Sorted {
   LsysCanvas canvas;
   LsysCanvas *inner;
+  LsysMemory *memory;
   bool solid;
   Item *item;
   size_t items, item_room;
@@ -27,24 +29,9 @@ typedef struct Sorted {
   size_t points, point_room;
 } Sorted;
 
-static bool grow(void *array, size_t *room, size_t count, size_t size) {
-  if (count <= *room) return true;
-  size_t wanted = count < 512 ? 1024 : count * 2, bytes;
-  void *old, *grown = NULL;
-  memcpy(&old, array, sizeof old);
-  if (!__builtin_mul_overflow(wanted, size, &bytes)) grown = realloc(old, bytes);
-  if (!grown) {
-    lsys_error("out of memory for sorting what is drawn by depth");
-    return false;
-  }
-  memcpy(array, &grown, sizeof grown);
-  *room = wanted;
-  return true;
-}
-
 static bool keep(Sorted *s, const LsysPoint *point, size_t count, double width, uint32_t rgb) {
-  if (!grow(&s->item, &s->item_room, s->items + 1, sizeof *s->item)
-      || !grow(&s->point, &s->point_room, s->points + count, sizeof *s->point))
+  if (!lsys_memory_fit(s->memory, &s->item, &s->item_room, s->items + 1, sizeof *s->item)
+      || !lsys_memory_fit(s->memory, &s->point, &s->point_room, s->points + count, sizeof *s->point))
     return false;
   double depth = 0;
   for (size_t i = 0; i < count; i++) depth += point[i].z / (double)count;
@@ -57,6 +44,7 @@ static bool keep(Sorted *s, const LsysPoint *point, size_t count, double width, 
 static bool open_page(LsysCanvas *canvas, const LsysPage *page) {
   Sorted *s = (Sorted *)canvas;
   s->solid = page->solid;
+  s->memory = page->memory;
   return s->inner->open(s->inner, page);
 }
 
@@ -122,8 +110,8 @@ static bool close_page(LsysCanvas *canvas) {
 static void destroy(LsysCanvas *canvas) {
   Sorted *s = (Sorted *)canvas;
   s->inner->destroy(s->inner);
-  free(s->item);
-  free(s->point);
+  lsys_memory_free(s->memory, s->item, s->item_room, sizeof *s->item);
+  lsys_memory_free(s->memory, s->point, s->point_room, sizeof *s->point);
   free(s);
 }
 
@@ -134,7 +122,7 @@ LsysCanvas *lsys_canvas_sorted(LsysCanvas *inner) {
     lsys_error("out of memory");
     return NULL;
   }
-  s->canvas = (LsysCanvas){open_page, line, fill, close_page, destroy};
+  s->canvas = (LsysCanvas){NULL, open_page, line, fill, close_page, destroy};
   s->inner = inner;
   return &s->canvas;
 }

@@ -31,10 +31,10 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   lsys_measure_begin(&stats->measure, true);
   lsys_turtle_destroy(stats->turtle);
   stats->turtle = lsys_turtle_create(run);
-  if (!stats->tree) stats->tree = lsys_tree_create(run->grammar);
+  if (!stats->tree) stats->tree = lsys_tree_create(run);
   if (!stats->turtle || !stats->tree) return false;
   lsys_places_free(&stats->places);
-  lsys_places_begin(&stats->places, &stats->measure.geometry);
+  lsys_places_begin(&stats->places, stats->memory, &stats->measure.geometry);
   lsys_turtle_begin(stats->turtle, axiom, &stats->places.geometry);
   lsys_tree_begin(stats->tree);
   return true;

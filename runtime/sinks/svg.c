@@ -200,7 +200,7 @@ LsysSink *lsys_svg_create(LsysOut *out, const LsysPictureOptions *options) {
     lsys_error("out of memory");
     return NULL;
   }
-  s->canvas = (LsysCanvas){open_page, line, fill, close_page, destroy};
+  s->canvas = (LsysCanvas){NULL, open_page, line, fill, close_page, destroy};
   s->out = out;
   if (options->film && options->film->animate) s->film = options->film;
   LsysCanvas *canvas = lsys_canvas_sorted(&s->canvas);

@@ -2,6 +2,7 @@
 // polygons, meshes and balls to triangles.
 #include "sinks/tubes.h"
 
+#include "core/memory.h"
 #include "core/message.h"
 #include "turtle/measure.h"
 #include "turtle/triangulate.h"
@@ -26,7 +27,7 @@ typedef struct LsysTubeBatch {
   uint8_t triangle_colour[BATCH], edge_colour[BATCH];
   size_t vertices, triangles, edges;
   uint32_t *cut, *work;  // of a polygon
-  size_t corner_room;
+  size_t cut_room, work_room;
 } Batch;
 
 bool lsys_tubes_flush(LsysTubes *t) {
@@ -190,15 +191,10 @@ static bool strokes(LsysGeometry *geometry, const LsysStrokes *batch) {
 
 // ---- polygons and meshes -------------------------------------------------
 
-static bool corner_room(Batch *b, size_t count) {
-  if (count <= b->corner_room) return true;
-  free(b->cut);
-  free(b->work);
-  b->cut = calloc(count, 3 * sizeof *b->cut);
-  b->work = calloc(count, sizeof *b->work);
-  b->corner_room = b->cut && b->work && count < UINT32_MAX ? count : 0;
-  if (!b->corner_room) lsys_error("out of memory for a polygon of %zu vertices", count);
-  return b->corner_room;
+static bool corner_room(const LsysTubes *t, size_t count) {
+  Batch *b = t->batch;
+  return lsys_memory_fit(t->memory, &b->cut, &b->cut_room, count, 3 * sizeof *b->cut)
+      && lsys_memory_fit(t->memory, &b->work, &b->work_room, count, sizeof *b->work);
 }
 
 static bool polygon(LsysGeometry *geometry, const LsysVec3 *vertices, size_t count, const LsysPen *pen) {
@@ -207,7 +203,7 @@ static bool polygon(LsysGeometry *geometry, const LsysVec3 *vertices, size_t cou
   double length = vec_length(normal);
   if (count < 3 || !(length > 0)) return true;
   normal = vec_scale(normal, 1 / length);
-  if (!corner_room(t->batch, count)) return false;
+  if (!corner_room(t, count)) return false;
   polygon_triangles(vertices, (uint32_t)count, t->batch->cut, t->batch->work);
   uint32_t first = (uint32_t)t->vertices;
   for (size_t i = 0; i < count; i++) {
@@ -310,8 +306,8 @@ bool lsys_tubes_create(LsysTubes *t, LsysModel *model) {
 
 void lsys_tubes_destroy(LsysTubes *t) {
   if (!t->batch) return;
-  free(t->batch->cut);
-  free(t->batch->work);
+  lsys_memory_free(t->memory, t->batch->cut, t->batch->cut_room, 3 * sizeof *t->batch->cut);
+  lsys_memory_free(t->memory, t->batch->work, t->batch->work_room, sizeof *t->batch->work);
   free(t->batch);
   t->batch = NULL;
 }

@@ -7,9 +7,10 @@
 typedef struct LsysTubes {
   LsysGeometry geometry;  // what the turtle draws to
   LsysModel *model;
-  double width;    // length of a width of 1
-  uint32_t sides;  // of a tube; 1: segments are edges
-  LsysVec3 shift;  // added to every place
+  double width;               // length of a width of 1
+  uint32_t sides;             // of a tube; 1: segments are edges
+  LsysVec3 shift;             // added to every place
+  struct LsysMemory *memory;  // that it books on; NULL: none
   uint64_t vertices;
   uint8_t colour;  // of the last vertex
   struct LsysTubeBatch *batch;

@@ -8,7 +8,7 @@
 
 bool turtle_push(LsysTurtle *t) {
   if (t->by_depth) turtle_change_pen(t);
-  if (!turtle_grow(&t->stack, &t->stack_room, t->depth + 1, t->state_size)) return false;
+  if (!turtle_grow(t, &t->stack, &t->stack_room, t->depth + 1, t->state_size)) return false;
   unsigned char *top = t->stack + t->depth++ * t->state_size;
   memcpy(top, &t->state, t->state_size);
   return true;

@@ -18,7 +18,7 @@ static bool vertex(LsysTurtle *t) {
     const LsysVec3 *last = &t->vertex[t->vertices - 1];
     if (last->x == p.x && last->y == p.y && last->z == p.z) return true;
   }
-  if (!turtle_grow(&t->vertex, &t->vertex_room, t->vertices + 1, sizeof *t->vertex)) return false;
+  if (!turtle_grow(t, &t->vertex, &t->vertex_room, t->vertices + 1, sizeof *t->vertex)) return false;
   t->vertex[t->vertices++] = p;
   return true;
 }
@@ -122,7 +122,7 @@ bool act_polygon_begin(LsysTurtle *t, int given, const double *arg) {
     t->sweep.nodes = 0;
     return true;
   }
-  if (!turtle_grow(&t->polygon, &t->polygon_room, t->polygons + 1, sizeof *t->polygon)) return false;
+  if (!turtle_grow(t, &t->polygon, &t->polygon_room, t->polygons + 1, sizeof *t->polygon)) return false;
   t->polygon[t->polygons++] = t->vertices;
   t->polygon_place = t->read;
   return true;

@@ -6,11 +6,13 @@
 // and natural phenomena" 1986 (display lists); Hart, DeFanti 1991 (instancing).
 #include "turtle/parts.h"
 
+#include "core/memory.h"
 #include "core/message.h"
 #include "turtle/vector.h"
 
 #include "lsys/functions.h"
 
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -333,12 +335,17 @@ static bool allocate(LsysParts *parts) {
   size_t count, reals;
   if (__builtin_mul_overflow((size_t)parts->steps + 1, parts->kinds, &count)
       || __builtin_mul_overflow(count, (size_t)parts->directions, &reals) || count > SIZE_MAX / sizeof(LsysPart)
-      || reals > MOST_REALS)
+      || reals > MOST_REALS) {
+    lsys_error("the figure has too many parts: %u kinds of modules in %" PRIu64 " steps", parts->kinds, parts->steps);
     return false;
-  parts->part = calloc(count, sizeof *parts->part);
-  parts->support = calloc(reals + 1, sizeof *parts->support);
-  parts->direction = calloc((size_t)parts->directions + 1, sizeof *parts->direction);
-  parts->whole = calloc((size_t)parts->directions + 1, sizeof *parts->whole);
+  }
+  LsysMemory *memory = parts->run->memory;
+  const size_t directions = (size_t)parts->directions + 1;
+  parts->parts = count;
+  parts->part = lsys_memory_alloc(memory, count, sizeof *parts->part);
+  if (parts->part) parts->support = lsys_memory_alloc(memory, reals + 1, sizeof *parts->support);
+  if (parts->support) parts->direction = lsys_memory_alloc(memory, directions, sizeof *parts->direction);
+  if (parts->direction) parts->whole = lsys_memory_alloc(memory, directions, sizeof *parts->whole);
   for (size_t i = 0; parts->part && parts->support && i < count; i++)
     parts->part[i].support = parts->support + i * parts->directions;
   for (uint32_t i = 0; parts->direction && i < parts->directions; i++) {
@@ -358,7 +365,6 @@ const char *lsys_parts_create(LsysParts *parts, const LsysRun *run) {
   lsys_turtle_free(parts->turtle);
   parts->directions = choose_directions(parts);
   if (!allocate(parts)) {
-    lsys_error("out of memory for the parts of the figure");
     lsys_parts_destroy(parts);
     return "";
   }
@@ -369,9 +375,11 @@ const char *lsys_parts_create(LsysParts *parts, const LsysRun *run) {
 
 void lsys_parts_destroy(LsysParts *parts) {
   lsys_turtle_destroy(parts->turtle);
-  free(parts->part);
-  free(parts->support);
-  free(parts->whole);
-  free(parts->direction);
+  LsysMemory *memory = parts->run->memory;
+  const size_t directions = (size_t)parts->directions + 1;
+  lsys_memory_free(memory, parts->part, parts->parts, sizeof *parts->part);
+  lsys_memory_free(memory, parts->support, parts->parts * parts->directions + 1, sizeof *parts->support);
+  lsys_memory_free(memory, parts->whole, directions, sizeof *parts->whole);
+  lsys_memory_free(memory, parts->direction, directions, sizeof *parts->direction);
   *parts = (LsysParts){0};
 }

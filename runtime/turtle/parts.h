@@ -25,7 +25,8 @@ typedef struct LsysParts {
   LsysTurtle *turtle;  // free, for walking
   uint64_t steps;      // parts have up to these
   uint32_t kinds;
-  LsysPart *part;       // [steps * kinds + kind]
+  LsysPart *part;  // [steps * kinds + kind]
+  size_t parts;
   bool flat;            // everything stays in the page
   double *whole;        // support of a figure
   LsysVec3 *direction;  // unit, of support

@@ -3,6 +3,8 @@
 // that two hashes collide is 2^-29.
 #include "turtle/places.h"
 
+#include "core/memory.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -32,12 +34,16 @@ static void insert(LsysPlaces *s, uint64_t h) {
 static bool grow(LsysPlaces *s) {
   LsysPlaces bigger = {.room = s->room ? 2 * s->room : 1024};
   if (s->count >= MOST_PLACES) return false;
+  if (!lsys_memory_take(s->memory, bigger.room * sizeof *bigger.slot)) return false;
   bigger.slot = calloc(bigger.room, sizeof *bigger.slot);
-  if (!bigger.slot) return false;
+  if (!bigger.slot) {
+    lsys_memory_give(s->memory, bigger.room * sizeof *bigger.slot);
+    return false;
+  }
   for (uint64_t i = 0; i < s->room; i++) {
     if (s->slot[i]) insert(&bigger, s->slot[i]);
   }
-  free(s->slot);
+  lsys_places_free(s);
   s->slot = bigger.slot;
   s->room = bigger.room;
   return true;
@@ -67,11 +73,11 @@ static bool ball(LsysGeometry *to, const LsysVec3 *centre, double diameter, bool
   return !next || !next->ball || next->ball(next, centre, diameter, disc, pen);
 }
 
-void lsys_places_begin(LsysPlaces *s, LsysGeometry *next) {
-  *s = (LsysPlaces){.geometry = {strokes, polygon, mesh, ball, NULL}, .next = next};
+void lsys_places_begin(LsysPlaces *s, LsysMemory *memory, LsysGeometry *next) {
+  *s = (LsysPlaces){.geometry = {strokes, polygon, mesh, ball, NULL}, .next = next, .memory = memory};
 }
 
 void lsys_places_free(LsysPlaces *s) {
-  free(s->slot);
+  lsys_memory_free(s->memory, s->slot, s->room, sizeof *s->slot);
   s->slot = NULL;
 }

@@ -177,6 +177,6 @@ typedef enum TurtleWarning {
 void turtle_warn(LsysTurtle *t, TurtleWarning which, uint64_t place, const char *text);
 
 // Grows *array to hold at least count elements. False after printing that memory ran out.
-bool turtle_grow(void *array, size_t *room, size_t count, size_t size);
+bool turtle_grow(LsysTurtle *t, void *array, size_t *room, size_t count, size_t size);
 
 #endif

@@ -86,9 +86,9 @@ static uint32_t *put_walls(uint32_t *corner, uint32_t rings, uint32_t row) {
 
 static bool room(LsysTurtle *t, size_t vertices, size_t corners) {
   Sweep *s = &t->sweep;
-  return turtle_grow(&s->vertex, &s->vertex_room, vertices, sizeof *s->vertex)
-      && turtle_grow(&s->normal, &s->normal_room, vertices, sizeof *s->normal)
-      && turtle_grow(&s->corner, &s->corner_room, corners, sizeof *s->corner);
+  return turtle_grow(t, &s->vertex, &s->vertex_room, vertices, sizeof *s->vertex)
+      && turtle_grow(t, &s->normal, &s->normal_room, vertices, sizeof *s->normal)
+      && turtle_grow(t, &s->corner, &s->corner_room, corners, sizeof *s->corner);
 }
 
 static bool hand_on(LsysTurtle *t, uint32_t vertices, uint32_t triangles) {
@@ -176,7 +176,7 @@ bool act_sides(LsysTurtle *t, int given, const double *arg) {
 
 bool turtle_spline_node(LsysTurtle *t) {
   Sweep *s = &t->sweep;
-  if (!turtle_grow(&s->node, &s->node_room, s->nodes + 1, sizeof *s->node)) return false;
+  if (!turtle_grow(t, &s->node, &s->node_room, s->nodes + 1, sizeof *s->node)) return false;
   SweepNode node = node_here(t);
   if (s->nodes) {
     LsysVec3 step = vec_sum(node.place, 1, s->node[s->nodes - 1].place, -1);
@@ -212,7 +212,7 @@ static SweepPatch *find_patch(LsysTurtle *t, double number, bool make, bool *wel
     if (s->patch[i].number == number) return &s->patch[i];
   }
   if (!make) return NULL;
-  *well = turtle_grow(&s->patch, &s->patch_room, s->patches + 1, sizeof *s->patch);
+  *well = turtle_grow(t, &s->patch, &s->patch_room, s->patches + 1, sizeof *s->patch);
   return *well ? &s->patch[s->patches++] : NULL;
 }
 

@@ -3,6 +3,7 @@
 // folds them when it ends.
 #include "turtle/tree.h"
 
+#include "core/memory.h"
 #include "core/message.h"
 
 #include <stdlib.h>
@@ -22,6 +23,7 @@ typedef struct Axis {
 
 struct LsysTree {
   const LsysGrammar *grammar;
+  LsysMemory *memory;
   bool branches;  // the grammar has `[`
   uint8_t *what;  // of each kind: 1 draws, 2 `[`, 3 `]`
   Axis *axis;
@@ -48,7 +50,8 @@ static uint8_t what_of(uint8_t op) {
   }
 }
 
-LsysTree *lsys_tree_create(const LsysGrammar *grammar) {
+LsysTree *lsys_tree_create(const LsysRun *run) {
+  const LsysGrammar *grammar = run->grammar;
   LsysTree *t = calloc(1, sizeof *t);
   if (t) t->what = calloc((size_t)grammar->kind_count + 1, 1);
   if (!t || !t->what) {
@@ -57,6 +60,7 @@ LsysTree *lsys_tree_create(const LsysGrammar *grammar) {
     return NULL;
   }
   t->grammar = grammar;
+  t->memory = run->memory;
   for (uint32_t i = 0; i < grammar->kind_count; i++) {
     t->what[i] = what_of(grammar->kinds[i].turtle);
     t->branches |= t->what[i] == OPENS;
@@ -67,25 +71,9 @@ LsysTree *lsys_tree_create(const LsysGrammar *grammar) {
 void lsys_tree_destroy(LsysTree *t) {
   if (!t) return;
   free(t->what);
-  free(t->axis);
-  free(t->node);
+  lsys_memory_free(t->memory, t->axis, t->axis_room, sizeof *t->axis);
+  lsys_memory_free(t->memory, t->node, t->node_room, sizeof *t->node);
   free(t);
-}
-
-// Room for one more element.
-static bool grow(void *array, size_t *room, size_t count, size_t size) {
-  if (count < *room) return true;
-  size_t wanted = count < 32 ? 64 : 2 * count;
-  void *old, *grown;
-  memcpy(&old, array, sizeof old);
-  grown = wanted < SIZE_MAX / size ? realloc(old, wanted * size) : NULL;
-  if (!grown) {
-    lsys_error("out of memory for the branches of the word");
-    return false;
-  }
-  memcpy(array, &grown, sizeof grown);
-  *room = wanted;
-  return true;
 }
 
 static void add_branch(Node *node, uint32_t order) {
@@ -123,7 +111,7 @@ static uint32_t gravelius(const LsysTree *t) {
 }
 
 static bool open_axis(LsysTree *t) {
-  if (!grow(&t->axis, &t->axis_room, t->axes, sizeof *t->axis)) return false;
+  if (!lsys_memory_fit(t->memory, &t->axis, &t->axis_room, t->axes + 1, sizeof *t->axis)) return false;
   t->axis[t->axes++] = (Axis){.first = t->nodes};
   return true;
 }
@@ -142,7 +130,7 @@ static bool segment(LsysTree *t) {
   if (!a->segments) t->orders.axes[order]++;
   a->segments = true;
   if (!a->open.highest) return true;
-  if (!grow(&t->node, &t->node_room, t->nodes, sizeof *t->node)) return false;
+  if (!lsys_memory_fit(t->memory, &t->node, &t->node_room, t->nodes + 1, sizeof *t->node)) return false;
   t->node[t->nodes++] = a->open;
   a->open = (Node){0};
   return true;

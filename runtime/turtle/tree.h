@@ -14,7 +14,7 @@ enum { LSYS_TREE_ORDERS = 64 };  // higher Gravelius orders count as this one; n
 typedef struct LsysTree LsysTree;
 
 // A tree of words of this grammar. NULL after printing that memory ran out.
-LsysTree *lsys_tree_create(const LsysGrammar *grammar);
+LsysTree *lsys_tree_create(const LsysRun *run);
 void lsys_tree_destroy(LsysTree *tree);
 
 void lsys_tree_begin(LsysTree *tree);

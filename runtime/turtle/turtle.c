@@ -3,6 +3,7 @@
 // Invariant: between two parts everything that the turtle knows is in LsysTurtle.
 #include "turtle/turtle.h"
 
+#include "core/memory.h"
 #include "core/message.h"
 #include "turtle/actions.h"
 
@@ -23,17 +24,8 @@ static bool out_of_memory(void) {
   return false;
 }
 
-bool turtle_grow(void *array, size_t *room, size_t count, size_t size) {
-  if (count <= *room) return true;
-  size_t wanted = *room < 64 ? 64 : *room * 2, bytes;
-  if (wanted < count) wanted = count;
-  void *old, *grown = NULL;
-  memcpy(&old, array, sizeof old);
-  if (!__builtin_mul_overflow(wanted, size, &bytes)) grown = realloc(old, bytes);
-  if (!grown) return out_of_memory();
-  memcpy(array, &grown, sizeof grown);
-  *room = wanted;
-  return true;
+bool turtle_grow(LsysTurtle *t, void *array, size_t *room, size_t count, size_t size) {
+  return lsys_memory_fit(t->run->memory, array, room, count, size);
 }
 
 // ---- set-up --------------------------------------------------------------
@@ -270,16 +262,18 @@ void lsys_turtle_destroy(LsysTurtle *t) {
   directions_destroy(&t->directions);
   free(t->kind);
   free(t->plain_kind);
-  free(t->stack);
   free(t->point);
   free(t->stroke);
-  free(t->vertex);
-  free(t->polygon);
-  free(t->sweep.node);
-  free(t->sweep.patch);
-  free(t->sweep.vertex);
-  free(t->sweep.normal);
-  free(t->sweep.corner);
+  LsysMemory *memory = t->run->memory;
+  Sweep *s = &t->sweep;
+  lsys_memory_free(memory, t->stack, t->stack_room, t->state_size);
+  lsys_memory_free(memory, t->vertex, t->vertex_room, sizeof *t->vertex);
+  lsys_memory_free(memory, t->polygon, t->polygon_room, sizeof *t->polygon);
+  lsys_memory_free(memory, s->node, s->node_room, sizeof *s->node);
+  lsys_memory_free(memory, s->patch, s->patch_room, sizeof *s->patch);
+  lsys_memory_free(memory, s->vertex, s->vertex_room, sizeof *s->vertex);
+  lsys_memory_free(memory, s->normal, s->normal_room, sizeof *s->normal);
+  lsys_memory_free(memory, s->corner, s->corner_room, sizeof *s->corner);
   free(t);
 }
 

@@ -325,7 +325,7 @@ static void orders_of_trees(void **state) {
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     Sample *s = sample(cases[i].word, 30);
-    LsysTree *tree = lsys_tree_create(&s->grammar);
+    LsysTree *tree = lsys_tree_create(&s->run);
     lsys_tree_begin(tree);
     assert_true(lsys_tree_take(tree, &s->word));
     lsys_tree_end(tree);
@@ -348,7 +348,7 @@ static void counts_places(void **state) {
   char *word = sample_rewrite("L", hilbert, 6);
   Sample *s = sample(word, 90);
   LsysPlaces places;
-  lsys_places_begin(&places, NULL);
+  lsys_places_begin(&places, NULL, NULL);
   LsysTurtle *t = lsys_turtle_create(&s->run);
   lsys_turtle_begin(t, 0, &places.geometry);
   assert_true(lsys_turtle_take(t, &s->word) && lsys_turtle_end(t));

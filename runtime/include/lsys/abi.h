@@ -88,6 +88,8 @@ struct LsysRun {
   // `born`: 0 in the start word, n in the n-th step. A module that a step turns into itself alone is not born again.
   bool births;
   uint64_t born;
+
+  struct LsysMemory *memory;  // the run time's account of what is held; NULL: none is kept
 };
 
 typedef struct LsysParam {

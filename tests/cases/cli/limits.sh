@@ -26,3 +26,12 @@ lsysc double.lsys && ./double -n 200 --count
 
 echo "a word of 10^8 modules in 100 MB of addresses"
 (ulimit -v 100000 2> /dev/null; ./double -n 27 --hash)
+
+echo "what turtles, pictures and models hold"
+printf 'axiom: A\nA --> [[[[[[[[[[AF\n' > open.lsys
+lsysc run -w open.lsys -n 1000000 --max-memory 64M -o open.svg
+printf 'axiom: F&F\n' > space.lsys
+lsysc run space.lsys --size 9000 --max-memory 100M -o space.png
+printf 'axiom: F\nF --> F&[F]F+\n' > bush.lsys
+lsysc run bush.lsys -n 12 --max-memory 16M -o bush.svg
+ls *.svg *.png 2> /dev/null
