@@ -113,6 +113,12 @@ void help_command(FILE *out, Command command) {
   }
 }
 
+const char *help_topic_name(int i) {
+  if (i < COMMAND_COUNT - 1) return command_table[i + 1].name;
+  i -= COMMAND_COUNT - 1;
+  return i < TOPIC_COUNT ? topics[i].name : NULL;
+}
+
 bool help_topic(FILE *out, const char *name) {
   for (int i = 1; i < COMMAND_COUNT; i++)
     if (strcmp(name, command_table[i].name) == 0) return help_command(out, (Command)i), true;

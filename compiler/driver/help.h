@@ -14,4 +14,7 @@ void help_command(FILE *out, Command command);
 // False: nothing is called that.
 bool help_topic(FILE *out, const char *name);
 
+// The name of the i-th command or topic that `lsysc help` takes; NULL: there are no more.
+const char *help_topic_name(int i);
+
 #endif

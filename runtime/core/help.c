@@ -77,6 +77,17 @@ void lsys_help_options(FILE *to) {
   options(&help);
 }
 
+bool lsys_help_option(int i, LsysHelpOption *option) {
+  if (i >= LSYS_OPTION_COUNT_) return false;
+  const LsysOptionInfo *info = &lsys_options[i];
+  *option = (LsysHelpOption){info->letter, info->name, info->argument, info->doc};
+  return true;
+}
+
+const char *lsys_help_format(int i) {
+  return (size_t)i < lsys_format_count ? lsys_formats[i].name : NULL;
+}
+
 static void param_rows(FILE *to, const LsysGrammar *grammar) {
   if (!grammar->param_count) return;
   fprintf(to, "\nParams of this grammar (-D NAME=VALUE)\n");

@@ -29,6 +29,16 @@ void lsys_help_tables(LsysHelp *help);
 // The options of a compiled program.
 void lsys_help_options(FILE *to);
 
+// An option of a compiled program as shells complete it; argument is NULL, a name, or a list a|b|c.
+typedef struct LsysHelpOption {
+  char letter;  // 0: none
+  const char *name, *argument, *doc;
+} LsysHelpOption;
+
+// The i-th option, or the name of the i-th format. False, NULL: there are no more.
+bool lsys_help_option(int i, LsysHelpOption *option);
+const char *lsys_help_format(int i);
+
 // One row of two columns, with doc broken into lines at blanks.
 void lsys_help_row(FILE *to, const char *left, const char *doc);
 
