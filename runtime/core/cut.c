@@ -1,4 +1,4 @@
-// cut.c -- samples a derivation to find a cut: the first modules of the word
+// cut.c -- samples a derivation to find a cut: modules here and there of the word
 // before the last m steps are derived to the end, for growing m, until they
 // become long enough to be worth handing to another thread.
 #include "core/cut.h"
@@ -6,7 +6,8 @@
 #include "core/store.h"
 
 enum {
-  SAMPLE = 32,             // modules
+  SAMPLE = 32,             // modules,
+  STRIDE = 16,             //   each the first of so many
   WORTH = 1 << 11,         // weight that a module has to become
   STRETCH = 3 << 14,       // weight of a stretch: less than what a task may be ahead (parallel.c)
   MOST_STEPS = 1 << 16,    // beyond, words are chains, and sampling takes longer than deriving
@@ -53,6 +54,7 @@ typedef struct Sampler {
   LsysSink sink;
   LsysWriter writer;
   LsysStore sample;
+  uint64_t passed;             // modules to be left out before the next one
   double weight;               // of what the sample became
   double written, referenced;  // modules of it
   bool shared;                 // the sink's work is shared
@@ -67,8 +69,16 @@ static bool take_sample(LsysSink *sink, const LsysWord *part) {
   Sampler *sampler = sampler_of(sink);
   LsysCut cut;
   lsys_cut_begin(&cut, sampler->worker.run.grammar, part);
-  LsysWord first = lsys_cut_take(&cut, SAMPLE - sampler->sample.nsym);
-  return sampler->sample.sink.take(&sampler->sample.sink, &first) && sampler->sample.nsym < SAMPLE;
+  while (cut.rest.nsym && sampler->sample.nsym < SAMPLE) {
+    LsysWord next = lsys_cut_take(&cut, sampler->passed ? sampler->passed : 1);
+    if (sampler->passed)
+      sampler->passed -= next.nsym;
+    else if (sampler->sample.sink.take(&sampler->sample.sink, &next))
+      sampler->passed = STRIDE - 1;
+    else
+      return false;
+  }
+  return sampler->sample.nsym < SAMPLE;
 }
 
 static bool take_weight(LsysSink *sink, const LsysWord *part) {
@@ -101,6 +111,7 @@ static void take_rest(Sampler *sampler, const LsysWord *sample, uint64_t steps, 
 // The mean weight of what a module before the last `last` steps becomes.
 static double weigh(Sampler *sampler, const LsysWord *word, uint64_t steps, uint64_t last) {
   lsys_store_clear(&sampler->sample);
+  sampler->passed = 0;
   take_frontier(sampler, word, steps, last);
   sampler->weight = sampler->written = sampler->referenced = 0;
   LsysWord sample = lsys_store_word(&sampler->sample);

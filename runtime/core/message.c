@@ -8,6 +8,7 @@
 // A process has one name, like its signal handlers.
 static const char *program = "lsys";
 static int is_quiet;
+static _Thread_local LsysMessage *caught;  // NULL: errors are printed
 
 void lsys_message_program(const char *name) {
   program = name;
@@ -23,14 +24,23 @@ static void print(const char *severity, const char *format, va_list args) {
   fputc('\n', stderr);
 }
 
+LsysMessage *lsys_message_catch(LsysMessage *message) {
+  LsysMessage *before = caught;
+  caught = message;
+  return before;
+}
+
 void lsys_verror(const char *format, va_list args) {
-  print("error", format, args);
+  if (!caught)
+    print("error", format, args);
+  else if (!*caught->text)
+    vsnprintf(caught->text, sizeof caught->text, format, args);
 }
 
 void lsys_error(const char *format, ...) {
   va_list args;
   va_start(args, format);
-  print("error", format, args);
+  lsys_verror(format, args);
   va_end(args);
 }
 

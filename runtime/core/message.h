@@ -16,6 +16,15 @@ void lsys_verror(const char *format, va_list args);
 void lsys_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void lsys_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+// An error that is kept in place of being printed.
+typedef struct LsysMessage {
+  char text[512];
+} LsysMessage;
+
+// From now on the first error of this thread goes there, and others nowhere; NULL: to the user. Returns where they went
+// before.
+LsysMessage *lsys_message_catch(LsysMessage *message);
+
 // The candidate (of count) nearest to the misspelt word, or NULL if none is near.
 const char *lsys_nearest(const char *word, const char *const *candidates, unsigned count);
 
