@@ -139,8 +139,9 @@ static PatternKind refuse(Check *check, const AstModule *module, Side side) {
     diag_error(check->diag, module->symbol_span,
                "`@]` asks for the end of a branch and can only stand in a right context");
   } else if (side == SIDE_STRICT) {
-    diag_error(check->diag, module->symbol_span, "`%s` cannot be replaced: brackets keep branches together",
+    diag_error(check->diag, module->symbol_span, "`%s` cannot be replaced alone: brackets keep branches together",
                module->symbol);
+    diag_hint(check->diag, "a whole branch can be: `A[B] --> ...` replaces the modules and both brackets");
   } else if (is_symbol(module, "[")) {
     diag_error(check->diag, module->symbol_span, "in a left context `[` can only stand last, next to `<`");
     diag_hint(check->diag, "a left context is the path to the root; `A[ < B` asks that B begin its branch");
@@ -167,6 +168,17 @@ static PatternKind pattern_kind(Check *check, const AstModule *module, Side side
   return refuse(check, module, side);
 }
 
+// Does every bracket have its other one in the word?
+static bool is_balanced(const AstWord *word) {
+  size_t depth = 0;
+  for (size_t i = 0; i < word->modules.count; i++) {
+    const AstModule *module = &word->modules.at[i];
+    depth += is_symbol(module, "[");
+    if (is_symbol(module, "]") && depth-- == 0) return false;
+  }
+  return depth == 0;
+}
+
 // A right context never leaves the branch that its module is in.
 static void check_closed(Check *check, const AstWord *word) {
   size_t depth = 0;
@@ -184,10 +196,12 @@ static void check_closed(Check *check, const AstWord *word) {
 Context check_context(Check *check, const AstWord *word, Side side) {
   Context context = {arena_array(check->arena, word->modules.count, sizeof(Pattern)), word->modules.count};
   bool refused = false;  // the other bracket of a refused branch is not told too
+  bool branches = side == SIDE_STRICT && is_balanced(word);
   for (size_t i = 0; i < context.count; i++) {
     const AstModule *module = &word->modules.at[i];
     Pattern *pattern = &context.at[i];
-    pattern->what = refused ? PATTERN_MODULE : pattern_kind(check, module, side, i + 1 == context.count, &refused);
+    bool whole = refused || (branches && !is_symbol(module, "@]"));
+    pattern->what = whole ? PATTERN_MODULE : pattern_kind(check, module, side, i + 1 == context.count, &refused);
     pattern->span = module->span;
     pattern->slot = (uint32_t)check->scope.slots.count;
     pattern->kind = KIND_NONE;

@@ -89,9 +89,8 @@ static size_t link_right(LsysRun *run, Links *links, size_t open, size_t after) 
     if (kind == links->program->open) {
       depth--;
     } else if (kind == links->program->close) {
-      link->right = NOWHERE;
       if (link->close == NOWHERE)
-        links->path[depth - 1] = NOWHERE;
+        links->path[depth - 1] = link->right = NOWHERE;
       else
         path_push(run, links, &depth, NOWHERE);
     } else if (!ignored(links, kind)) {

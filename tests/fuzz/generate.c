@@ -208,6 +208,14 @@ static void add_context(Generator *g, FuzzWord *word, bool right) {
   if (!right && g->bracketed && chance(g, 10)) *VEC_PUSH(g->arena, word) = (FuzzModule){.symbol = '['};
 }
 
+// A module or a branch behind a strict predecessor's first module.
+static void add_beside(Generator *g, FuzzWord *word) {
+  bool branch = g->bracketed && chance(g, 40);
+  if (branch) *VEC_PUSH(g->arena, word) = (FuzzModule){.symbol = '['};
+  *VEC_PUSH(g->arena, word) = pattern(g, &g->kinds[below(g, g->kind_count)], true);
+  if (branch) *VEC_PUSH(g->arena, word) = (FuzzModule){.symbol = ']'};
+}
+
 // ---- productions ---------------------------------------------------------------
 
 static void add_rule(Generator *g, const Kind *kind, RuleSection section, bool weighted, bool last) {
@@ -219,8 +227,7 @@ static void add_rule(Generator *g, const Kind *kind, RuleSection section, bool w
   int often = last ? 15 : 50;  // the last one is what mostly happens
   if (contexts && g->left && chance(g, often)) add_context(g, &rule.left, false);
   *VEC_PUSH(g->arena, &rule.strict) = pattern(g, kind, true);
-  if (g->pseudo && section == RULE_DERIVATION && !last && chance(g, 40))
-    *VEC_PUSH(g->arena, &rule.strict) = pattern(g, &g->kinds[below(g, g->kind_count)], true);
+  if (g->pseudo && section == RULE_DERIVATION && !last && chance(g, 40)) add_beside(g, &rule.strict);
   if (contexts && g->right && chance(g, often)) add_context(g, &rule.right, true);
   if (g->blocks && chance(g, 30)) {
     rule.before = expression(g, 2);
