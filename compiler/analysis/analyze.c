@@ -52,13 +52,6 @@ static void print_family(const Program *program, const Facts *facts, FILE *out) 
   if ((left || right) && facts->tables) fputs(" with tables", out);
 }
 
-static bool has_environment(const Program *program) {
-  for (size_t k = 0; k < program->kind_count; k++) {
-    if (strcmp(program->kinds[k].symbol, "?E") == 0) return true;
-  }
-  return false;
-}
-
 static void print_class(const Program *program, const Facts *facts, FILE *out) {
   const struct {
     bool holds;
@@ -68,7 +61,7 @@ static void print_class(const Program *program, const Facts *facts, FILE *out) {
     {facts->parametric, "parametric"},
     {!facts->deterministic, "stochastic"},
     {facts->sequential, "sequential"},
-    {has_environment(program), "open"},
+    {facts->queries, "open"},
     {program->lsystems[0].ring, "ring"},
     {program->lsystems[0].decomposition.productions.count, "decomposition"},
     {program->lsystems[0].homomorphism.productions.count, "homomorphism"},

@@ -103,6 +103,7 @@ static uint32_t grammar_flags(const Program *program, const Facts *facts) {
   if (facts->context_free) flags |= LSYS_GRAMMAR_EXPAND;
   if (facts->sequential) flags |= LSYS_GRAMMAR_SEQUENTIAL;
   if (facts->tables) flags |= LSYS_GRAMMAR_TABLES;
+  if (facts->queries) flags |= LSYS_GRAMMAR_QUERIES;
   if (program->kind_count > 256) flags |= LSYS_GRAMMAR_WIDE;
   return flags;
 }
@@ -173,6 +174,9 @@ LsysGrammar *describe(Arena *arena, const Program *program, const Facts *facts) 
   grammar->seed = program->seed;
   grammar->room_sym = 1;  // the interpreter writes module by module
   describe_contexts(arena, program, facts, grammar);
+  grammar->environment = program->environment;
+  grammar->environment_path = program->environment_path;
+  grammar->environment_value = program->environment_value;
   grammar->growth = facts->growth;
   return grammar;
 }

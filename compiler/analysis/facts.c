@@ -68,9 +68,10 @@ static void classify(Analysis *analysis, unsigned used) {
   facts->sequential = used & (USES_WRITE | USES_EFFECT);
   unsigned all = used | uses_values(&analysis->uses) | uses_blocks(&analysis->uses) | axiom_uses(analysis);
   facts->deterministic = !((all | homomorphism_uses(analysis)) & USES_DRAW);
+  facts->queries = has_query(program, facts);
   bool by_place = main_system->ring || main_system->pseudo || program->cut != KIND_NONE || program->lsystem_count > 1;
   facts->context_free = !(used & (USES_CONTEXT | USES_GLOBAL | USES_WRITE | USES_EFFECT)) && !by_place
-                     && !has_blocks(program) && !has_query(program, facts);
+                     && !has_blocks(program) && !facts->queries;
 }
 
 Facts *facts_find(Arena *arena, const Program *program) {

@@ -192,6 +192,10 @@ void freeze_grammar(Ir *ir, const Entries *entries) {
     FIELD(surfaces, surfaces(ir)),
     FIELD(colour_count, int_of(i32, g->colour_count)),
     FIELD(colours, numbers(ir, g->colours, g->colour_count)),
+    FIELD(environment, int_of(i32, g->environment)),
+    FIELD(environment_path, g->environment_path ? text(ir, g->environment_path) : null),
+    FIELD(environment_value,
+          bytes(ir, (const uint8_t *)g->environment_value, LSYS_ENVIRONMENT_VALUES * sizeof(double), "environment")),
   };
   enum { COUNT = sizeof fields / sizeof fields[0] };
   LLVMValueRef values[COUNT];

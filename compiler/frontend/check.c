@@ -58,17 +58,6 @@ static void fill(Check *check) {
   diag_hint(check->diag, "write one, such as `axiom: A`");
 }
 
-// Modules that the turtle or an environment would have to fill in.
-static void refuse_queries(Check *check) {
-  for (size_t k = 0; k < check->kinds.count; k++) {
-    const Kind *kind = &check->kinds.at[k];
-    if (kind->symbol[0] != '?' || !kind->symbol[1]) continue;
-    diag_error(check->diag, kind->span, "`%s` asks the turtle or an environment, which lsysc does not support",
-               kind->symbol);
-    diag_hint(check->diag, "open L-systems cannot be derived; a symbol of another name is a module like others");
-  }
-}
-
 Program *check(Arena *arena, const Ast *ast, Diag *diag) {
   Check state = {.arena = arena, .diag = diag, .ast = ast, .partial = diag_errors(diag) > 0};
   prepare(&state);
@@ -77,7 +66,7 @@ Program *check(Arena *arena, const Ast *ast, Diag *diag) {
   if (state.failed) return NULL;
   check_values(&state);
   fill(&state);
-  refuse_queries(&state);
+  check_queries(&state);
   check_systems(&state);
   if (diag_errors(diag)) return NULL;
   check_warnings(&state);

@@ -180,6 +180,8 @@ typedef struct Check {
   VEC(Surface) surfaces;
   VEC(uint32_t) colours;
   VEC(Action) blocks[4];  // Start, StartEach, EndEach, End
+  const AstStatement *environment;
+  Expr *parameters[LSYS_ENVIRONMENT_VALUES];  // of it
   Expr *settings[LSYS_SETTING_COUNT], *seed;
   bool fallback[LSYS_SETTING_COUNT];  // the setting is of a view file: the grammar's own counts
   bool uses_tables;                   // some block calls useTable
@@ -244,6 +246,10 @@ Actions check_actions(Check *check, const AstActions *actions);
 void values_begin(Check *check);  // once all values and functions are collected
 void check_definition(Check *check, const AstStatement *statement);
 void check_arrays(Check *check, const AstStatement *statement);
+
+// check_environment.c
+void check_environment(Check *check, const AstStatement *statement);
+void check_queries(Check *check);  // once all kinds are known
 
 // check_functions.c
 void functions_collect(Check *check, const AstStatement *statement);

@@ -112,20 +112,6 @@ static void read_schedule(Check *check, const AstStatement *statement) {
   check->system->schedule = statement;
 }
 
-static void read_environment(Check *check, const AstStatement *statement) {
-  if (check->program->environment) {
-    diag_warning(check->diag, WARN_REDEFINED, statement->span, "`environment:` is given twice; the last one counts");
-    diag_note(check->diag, check->program->environment->span, "the other one is here");
-  }
-  AstExprKind kind = statement->value->kind;
-  if (kind != AST_CALL && kind != AST_NAME && kind != AST_STRING && kind != AST_POISON) {
-    diag_error(check->diag, statement->value->span,
-               "an environment is a name, with settings in parentheses if it has any");
-    diag_hint(check->diag, "such as `environment: occupancy(cell=0.5)`");
-  }
-  check->program->environment = statement->value;
-}
-
 // Several statements add up.
 static void read_colours(Check *check, const AstStatement *statement) {
   for (size_t i = 0; i < statement->symbols.count; i++) {
@@ -322,7 +308,7 @@ static void read_statement(Check *check, const AstStatement *statement) {
   case AST_CURVE:
     break;  // read with all others
   case AST_ENVIRONMENT:
-    read_environment(check, statement);
+    check_environment(check, statement);
     break;
   }
 }

@@ -243,8 +243,10 @@ typedef struct Program {
   const char **names;  // declared, whether or not a kind has them: how words are cut into symbols
   size_t name_count;
   Actions start, start_each, end_each, end;
-  uint32_t sites;        // calls of random functions, numbered 1..sites
-  AstExpr *environment;  // NULL: "point" if the grammar has ?E
+  uint32_t sites;                 // calls of random functions, numbered 1..sites
+  LsysEnvironmentId environment;  // of ?E; without a statement `point`, if there is any
+  const char *environment_path;   // LSYS_ENVIRONMENT_FILE
+  double environment_value[LSYS_ENVIRONMENT_VALUES];
 } Program;
 
 // Ast -> Program. Never edits the Ast. NULL if there were errors.

@@ -130,6 +130,24 @@ static void derive_step(Interp *interp, LsysRun *run, uint64_t step) {
   if (run->births) give_birth(interp, step);
 }
 
+// Before a step the turtle reads the word, and queries in it learn what they ask.
+static void look(Interp *interp, LsysRun *run) {
+  const LsysGrammar *grammar = run->grammar;
+  if (!(grammar->flags & LSYS_GRAMMAR_QUERIES)) return;
+  Boxes *word = &interp->word;
+  size_t width = grammar->flags & LSYS_GRAMMAR_WIDE ? 2 : 1, keys = 0;
+  for (size_t i = 0; i < word->count; i++) {
+    while (interp->symbol_room < (i + 1) * width)
+      interp->symbols = boxes_grow(run, interp->symbols, interp->symbol_room, &interp->symbol_room, 1);
+    memcpy(interp->symbols + i * width, &(uint16_t){(uint16_t)word->at[i].kind}, width);
+    if (!(grammar->kinds[word->at[i].kind].flags & LSYS_KIND_KEY)) continue;
+    BOXES_RESERVE(run, interp->keys, keys, interp->key_room);
+    interp->keys[keys++] = word->at[i].key;
+  }
+  LsysWord packed = {interp->symbols, word->arg, interp->keys, word->count, word->arg_count, keys};
+  lsys_look(run, &packed, word->arg);
+}
+
 static void derive(LsysRun *run, uint32_t which, uint64_t steps, LsysStream *out, void *data) {
   Interp *interp = begin(run, &((Pair *)data)->derivation);
   const Program *program = interp->program;
@@ -142,6 +160,7 @@ static void derive(LsysRun *run, uint32_t which, uint64_t steps, LsysStream *out
   build_axiom(interp, which, &interp->word);
   for (uint64_t left = steps; left > 0 && !blocks->stopped && !interp->scope.stopped; left--) {
     execute(blocks, &program->start_each);
+    look(interp, run);
     derive_step(interp, run, run->steps - left);
     execute(blocks, &program->end_each);
   }
@@ -220,9 +239,13 @@ static void release(Interp *interp) {
   scope_free(&interp->blocks);
   free(interp->candidates);
   free(interp->nesting);
+  free(interp->symbols);
+  free(interp->keys);
   interp->candidates = NULL;
   interp->nesting = NULL;
-  interp->candidate_room = interp->nesting_room = 0;
+  interp->symbols = NULL;
+  interp->keys = NULL;
+  interp->candidate_room = interp->nesting_room = interp->symbol_room = interp->key_room = 0;
 }
 
 void interp_release(const LsysGrammar *grammar) {

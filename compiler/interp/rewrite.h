@@ -33,10 +33,13 @@ typedef struct Interp {
   Scope blocks;            // of Start, StartEach, EndEach, End; counts on over a derivation
   Candidate *candidates;
   size_t candidate_room;
-  Boxes word, next;   // before and after what is under way
-  Boxes stack;        // decomposition and homomorphism: what is left to do, the next on top
-  Boxes successor;    // scratch of the same
-  Boxes before;       // with births: the word before the step
+  Boxes word, next;  // before and after what is under way
+  Boxes stack;       // decomposition and homomorphism: what is left to do, the next on top
+  Boxes successor;   // scratch of the same
+  Boxes before;      // with births: the word before the step
+  uint8_t *symbols;  // of the word, packed for the turtle to look at,
+  uint64_t *keys;    //   and its keys
+  size_t symbol_room, key_room;
   uint32_t *nesting;  // L-systems around the module at hand
   size_t nesting_room;
   bool warned_decomposition, warned_homomorphism;  // in this derivation

@@ -162,6 +162,7 @@ bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar
 }
 
 void lsys_derivation_close(LsysDerivation *derivation) {
+  lsys_look_end(&derivation->worker.run);
   lsys_memory_free(derivation->worker.memory, derivation->worker.run.value, derivation->worker.run.grammar->value_count,
                    sizeof(double));
   derivation->worker.run.value = NULL;

@@ -19,6 +19,7 @@ void lsys_stepper_close(LsysStepper *stepper) {
 // Rewrites every module of `from` into what the writer writes to.
 static void rewrite(LsysStepper *stepper, const LsysStore *from, uint64_t step) {
   LsysWord word = lsys_store_word(from);
+  lsys_look(&stepper->worker->run, &word, from->arg);
   LsysScan *scan = lsys_walk_start(&stepper->walk, &word);
   scan->step = step;
   stepper->worker->run.grammar->step(scan, &stepper->writer.stream);

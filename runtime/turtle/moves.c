@@ -23,6 +23,18 @@ static bool vertex(LsysTurtle *t) {
   return true;
 }
 
+// The turtle went to another place.
+static void arrive(LsysTurtle *t, bool draw) {
+  if (!draw) {
+    turtle_jump(t);
+    return;
+  }
+  turtle_draw_to(t);
+  if (!t->watches) return;
+  t->state.drawn = (LsysVec3){t->state.at[0], t->state.at[1], t->state.z};
+  t->state.lines++;
+}
+
 // Moves; records an edge of the open polygon if `edge`.
 static bool move(LsysTurtle *t, LsysVec3 direction, double length, bool draw, bool edge) {
   edge = edge && (t->polygons || t->splining);
@@ -30,16 +42,23 @@ static bool move(LsysTurtle *t, LsysVec3 direction, double length, bool draw, bo
   if (edge && first && !vertex(t)) return false;
   go(t, direction, length);
   turtle_bend(t);
-  if (draw) {
-    turtle_draw_to(t);
-  } else {
-    turtle_jump(t);
-  }
+  arrive(t, draw);
+  return !edge || vertex(t);
+}
+
+// F(x,y) of the environment `point`.
+static bool draw_to_point(LsysTurtle *t, bool edge, const double *arg) {
+  edge = edge && t->polygons;
+  if (edge && t->vertices == t->polygon[t->polygons - 1] && !vertex(t)) return false;
+  t->state.at = (Pair){arg[0], arg[1]};
+  t->state.z = 0;
+  arrive(t, true);
   return !edge || vertex(t);
 }
 
 // F(l,w): the width is that of this segment only.
 static bool draw(LsysTurtle *t, bool edge, int arity, const double *arg) {
+  if (arity == 2 && t->to_points) return draw_to_point(t, edge, arg);
   if (arity != 2) return move(t, turtle_heading(t), length_of(t, arity, arg), true, edge);
   double width = t->state.width;
   turtle_change_pen(t);

@@ -55,6 +55,8 @@ typedef struct State {
   double tangent[2];  // lengths of tangents, in distances between nodes
   bool sweeping;      // between @Gs and @Ge
   uint8_t contour, sides;
+  LsysVec3 drawn;  // of a turtle that watches: the end of the last line on the way here,
+  uint32_t lines;  //   and how many there are
 } State;
 
 enum { STATE_SMALL = offsetof(State, z), STATE_MEDIUM = offsetof(State, node) };
@@ -111,6 +113,8 @@ struct LsysTurtle {
   double turn_cos, turn_sin;  // of the default angle
   LsysVec3 tropism;
   bool clockwise;  // turns:
+  bool watches;    // State.drawn and lines are kept
+  bool to_points;  // F(x,y) draws to the point (x,y)
   State start;
   Directions directions;
   KindInfo *kind;

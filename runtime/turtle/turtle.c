@@ -213,6 +213,7 @@ static bool set_up(LsysTurtle *t) {
   t->turn_cos = lsys_cos(t->angle);
   t->turn_sin = lsys_sin(t->angle);
   t->clockwise = setting(t->run, LSYS_SETTING_TURNS) != 0;
+  t->to_points = g->environment == LSYS_ENVIRONMENT_POINT;
   bool lattice = t->flat && !can.any_length && !can.any_angle;
   if (!directions_create(&t->directions, t->angle, heading, can.any_angle, lattice)) return out_of_memory();
   double step = setting(t->run, LSYS_SETTING_STEP), width = setting(t->run, LSYS_SETTING_WIDTH);
@@ -380,6 +381,18 @@ void lsys_turtle_free(LsysTurtle *t) {
   t->directions.lattice = LATTICE_NONE;
   t->step = t->run->value[LSYS_SETTING_STEP];
   t->state_size = sizeof(State);
+}
+
+void lsys_turtle_watch(LsysTurtle *t) {
+  t->plain = false;
+  t->warned = UINT32_MAX;
+  t->watches = true;
+  t->state_size = sizeof(State);
+}
+
+uint32_t lsys_turtle_drawn(const LsysTurtle *t, LsysVec3 *end) {
+  *end = turtle_out(t, t->state.drawn);
+  return t->state.lines;
 }
 
 bool lsys_turtle_set_pose(LsysTurtle *t, const LsysPose *p) {

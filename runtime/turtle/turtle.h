@@ -55,6 +55,12 @@ LsysPose lsys_turtle_pose(const LsysTurtle *turtle);
 // Lets the turtle take any pose, from now on and by lsys_turtle_set_pose; it is slower then.
 void lsys_turtle_free(LsysTurtle *turtle);
 
+// Lets the turtle remember where lines end, and say nothing of odd words.
+void lsys_turtle_watch(LsysTurtle *turtle);
+
+// The end of the last line on the turtle's path, its first place if there is none; returns how many are on it.
+uint32_t lsys_turtle_drawn(const LsysTurtle *turtle, LsysVec3 *end);
+
 // Puts a free turtle elsewhere. False if the geometry wants to stop.
 bool lsys_turtle_set_pose(LsysTurtle *turtle, const LsysPose *pose);
 

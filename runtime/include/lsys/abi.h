@@ -13,6 +13,7 @@
 #ifndef LSYS_ABI_H
 #define LSYS_ABI_H
 
+#include "lsys/environment.h"
 #include "lsys/functions.h"
 #include "lsys/keys.h"
 #include "lsys/scan.h"
@@ -89,7 +90,8 @@ struct LsysRun {
   bool births;
   uint64_t born;
 
-  struct LsysMemory *memory;  // the run time's account of what is held; NULL: none is kept
+  struct LsysMemory *memory;              // the run time's account of what is held; NULL: none is kept
+  struct LsysSurroundings *surroundings;  // the run time's, of lsys_look
 };
 
 typedef struct LsysParam {
@@ -121,6 +123,7 @@ enum {
   LSYS_GRAMMAR_WHOLE = 64,         // the homomorphism has contexts or several L-systems: it takes a whole word
   LSYS_GRAMMAR_RIGHT = 128,        // something looks ahead: a step needs the index of branches
   LSYS_GRAMMAR_RING = 256,         // first and last module are neighbours
+  LSYS_GRAMMAR_QUERIES = 1024,     // queries or communication modules: lsys_look before each step
   LSYS_GRAMMAR_ORDERED = 512,      // pseudo-productions, a cut, sub-L-systems: a step goes through the word in order
 };
 
@@ -210,6 +213,10 @@ struct LsysGrammar {
   // 0xRRGGBB of the first colour indices (`colours:`).
   uint32_t colour_count;
   const uint32_t *colours;
+
+  uint32_t environment;             // LsysEnvironmentId
+  const char *environment_path;     // LSYS_ENVIRONMENT_FILE: of the shared object
+  const double *environment_value;  // LSYS_ENVIRONMENT_VALUES of them
 };
 
 // ---- what compiled code calls ----------------------------------------------
@@ -230,6 +237,11 @@ void lsys_charge(LsysRun *run, int64_t bytes);
 
 // Ends the run with a message for the user, such as an array's index out of range; does not return.
 void lsys_fail(LsysRun *run, const char *format, ...) __attribute__((format(printf, 2, 3), noreturn));
+
+// Before a step: sets the arguments of queries and communication modules in the word whose arguments are `argument`
+// (those of word). Does nothing for grammars without any; does not return where there is no memory.
+void lsys_look(LsysRun *run, const LsysWord *word, double *argument);
+void lsys_look_end(LsysRun *run);
 
 // printf of a block, to standard error: format holds one conversion d, i, e, f or g for each value.
 void lsys_print(LsysRun *run, const char *format, const double *values, uint32_t count);
