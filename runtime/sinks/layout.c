@@ -93,11 +93,11 @@ static void place_figures(LsysLayout *layout, const Extent *e, const LsysPage *p
   }
 }
 
-// How many pixels a width of 1 is, unless the user says so: 1/800 of the page; more where
-// twigs would vanish or a curve in space can be a tube, less where the trunk would swell or
-// a dense curve fill its own gaps.
+// How many pixels a width of 1 is, unless the user says so: 1/800 of the page, but a pixel on
+// small ones; more where twigs would vanish or a curve in space can be a tube, less where the
+// trunk would swell or a dense curve fill its own gaps.
 static void set_line_width(LsysLayout *layout, const LsysPictureOptions *options, LsysPage *page) {
-  double longest = fmax(page->width, page->height), unit = longest / 800;
+  double longest = fmax(page->width, page->height), unit = fmax(longest / 800, 1);
   page->detail = layout->segments ? layout->length / (double)layout->segments * layout->scale : longest;
   if (isfinite(options->line_width)) {
     layout->unit = options->line_width;
@@ -105,7 +105,7 @@ static void set_line_width(LsysLayout *layout, const LsysPictureOptions *options
   }
   if (layout->thickest > 0) {
     bool varied = layout->thinnest > 0 && layout->thinnest < layout->thickest;
-    if (varied) unit = fmax(unit, 0.5 * longest / 1000 / layout->thinnest);
+    if (varied) unit = fmax(unit, 0.5 * fmax(longest / 1000, 1) / layout->thinnest);
     if (!varied && page->solid) unit = fmax(unit, fmin(0.22 * page->detail, longest / 60) / layout->thickest);
     unit = fmin(unit, longest / 40 / layout->thickest);
     if (!varied) unit = fmin(unit, fmax(0.5, 0.35 * page->detail) / layout->thickest);
