@@ -192,6 +192,7 @@ static bool unknown(const Reader *reader, const char *argument) {
 static bool take_argument(Reader *reader, const char *argument) {
   Options *options = reader->options;
   bool behind_file = runs_file(options);
+  if (strcmp(argument, "-h") == 0) argument = option_table[OPTION_HELP].spelling;
   if (argument[0] == '-' && argument[1]) {
     for (int id = 0; id < OPTION_COUNT; id++) {
       const char *value;
@@ -227,7 +228,10 @@ static bool is_command_like(const char *word) {
   return !strpbrk(word, "./") && strcmp(word, "-") != 0 && stat(word, &info) != 0;
 }
 
-static bool unknown_command(const char *word) {
+static bool unknown_command(Arena *arena, const char *word) {
+  struct stat info;
+  const char *file = arena_printf(arena, "%s.lsys", word);
+  if (stat(file, &info) == 0) return report_error("there is no file `%s`; did you mean `%s`?", word, file);
   const char *names[COMMAND_COUNT];
   for (int i = 1; i < COMMAND_COUNT; i++) names[i - 1] = command_table[i].name;
   const char *nearest = diag_nearest(word, names, COMMAND_COUNT - 1);
@@ -235,12 +239,12 @@ static bool unknown_command(const char *word) {
   return report_error("`%s` is no command and no file; `lsysc help` lists the commands", word);
 }
 
-static bool complete(const Options *options) {
+static bool complete(Arena *arena, const Options *options) {
   size_t files = options->files.count;
   if (options->help || options->version || options->command == COMMAND_HELP) return true;
   if (files == 0) return report_error("no grammar was given: lsysc %s", command_table[options->command].arguments);
   if (options->command == COMMAND_COMPILE && is_command_like(options->files.at[0]))
-    return unknown_command(options->files.at[0]);
+    return unknown_command(arena, options->files.at[0]);
   if (files > 1 && options->command != COMMAND_CHECK)
     return report_error("one grammar at a time, not `%s` and `%s`", options->files.at[0], options->files.at[1]);
   return true;
@@ -270,7 +274,7 @@ bool options_parse(Arena *arena, int argc, char **argv, Options *options) {
   options->parse.define_count = reader.defines.count;
   options->parse.given = options->given.at;
   options->parse.given_count = options->given.count;
-  return complete(options);
+  return complete(arena, options);
 }
 
 void options_head(const OptionRow *option, char *head, size_t size) {

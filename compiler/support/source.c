@@ -83,6 +83,11 @@ const SourceFile *sources_read(Sources *sources, const char *path, Span included
   char *text = slurp(sources->arena, in, &length, why);
   if (!standard) fclose(in);
   if (!text) return NULL;
+  if (memchr(text, '\0',
+             length < 64 ? length : 64)) {  // a compiled grammar, a picture: a page of messages helps nobody
+    *why = "this is no text; a grammar's name usually ends in .lsys";
+    return NULL;
+  }
   path = arena_copy(sources->arena, standard ? "<stdin>" : path, standard ? 7 : strlen(path));
   const SourceFile *file = sources_add(sources, path, text, length, included_from);
   if (!file) *why = "is too large together with the other files";

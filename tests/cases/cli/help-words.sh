@@ -9,3 +9,10 @@ echo "--- program"
 ./a --help @Gs
 ./a --help nothing 2>&1
 lsysc run --help | grep -c '^  --'
+./a -h | head -1
+lsysc -h | head -1
+lsysc run -h | head -1
+lsysc run a.lsys -h turtle | head -1
+lsysc a 2>&1
+mv a.lsys b.lsys
+lsysc b 2>&1
