@@ -354,11 +354,33 @@ static void use_blocks(Rewrite *rewrite) {
   ir_at(ir, more);
 }
 
-static void stop_at_zero(Rewrite *rewrite, LLVMValueRef count) {
+static void stop_at_zero(Rewrite *rewrite, LLVMValueRef count, LLVMBasicBlockRef end) {
   Ir *ir = rewrite->scope.ir;
   LLVMBasicBlockRef some = ir_block(ir, "some");
-  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, count, ir_int(ir, 0), ""), rewrite->self, some);
+  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, count, ir_int(ir, 0), ""), end, some);
   ir_at(ir, some);
+}
+
+static void tell_cut(Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMTypeRef types[] = {ir->types.ptr, ir->types.i32};
+  LLVMValueRef args[] = {rewrite->scope.run, LLVMConstInt(ir->types.i32, rewrite->way == WAY_INTERPRET, false)};
+  ir_call(ir, ir_runtime(ir, "lsys_cut_short", ir->types.none, types, 2, IR_ANY), args, 2);
+  LLVMBuildBr(ir->builder, rewrite->self);
+}
+
+// `: warnings`: where the maximum depth leaves a module that some production would replace, the user is told.
+static void define_limit(Rewrite *rewrite, LLVMBasicBlockRef limit, const Productions *productions) {
+  Ir *ir = rewrite->scope.ir;
+  ir_at(ir, limit);
+  select_any(rewrite, productions, tell_cut);
+  LLVMBuildBr(ir->builder, rewrite->self);
+}
+
+static bool tells_limit(const Rewrite *rewrite) {
+  const LSystem *lsystem = &rewrite->scope.ir->program->lsystems[rewrite->system];
+  return (rewrite->way == WAY_DECOMPOSE && lsystem->decomposition.warnings)
+      || (rewrite->way == WAY_INTERPRET && lsystem->homomorphism.warnings);
 }
 
 // The table of this step: schedule[(run->steps - steps) % count].
@@ -416,9 +438,11 @@ static void define(Ir *ir, Way way, size_t system, KindId kind) {
   if (way == WAY_EXPAND)
     rewrite.ahead = LLVMBuildSub(ir->builder, rewrite.steps, expand_stop(ir, rewrite.out), "ahead");
   if (way == WAY_EXPAND && ir->facts->kinds[kind].fixed) use_blocks(&rewrite);
-  stop_at_zero(&rewrite, way == WAY_EXPAND ? rewrite.ahead : rewrite.depth);
+  LLVMBasicBlockRef end = tells_limit(&rewrite) ? ir_block(ir, "limit") : rewrite.self;
+  stop_at_zero(&rewrite, way == WAY_EXPAND ? rewrite.ahead : rewrite.depth, end);
   prepare(&rewrite, productions);
   if (select_production(&rewrite, productions, take)) stay(&rewrite);
+  if (end != rewrite.self) define_limit(&rewrite, end, productions);
   settle(&rewrite);
 }
 

@@ -214,6 +214,9 @@ typedef struct Rewrite {
 typedef void (*Take)(Rewrite *rewrite, const Production *production);
 bool select_production(Rewrite *rewrite, const Productions *productions, Take take);
 
+// Emits `then`, which ends its block, where some production would apply; goes on where none does.
+void select_any(Rewrite *rewrite, const Productions *productions, void (*then)(Rewrite *rewrite));
+
 // walk.c: a function (scan, out) that goes through a word. `each` emits what happens to a module of rewrite->kind that
 // belongs to rewrite->system, and ends with walk_pass or walk_cut; `begin`, unless NULL, what is known before the loop.
 typedef void (*Each)(Rewrite *rewrite);

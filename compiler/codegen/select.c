@@ -187,6 +187,28 @@ static bool try(Rewrite *rewrite, Lottery *lottery, const Production *production
   return production->weight || may_fail;
 }
 
+// Branches to fail unless the production applies, as far as can be told without changing anything: blocks are not run,
+// nothing is drawn, and what depends on either counts as holding.
+static void suspect(Rewrite *rewrite, const Production *production, LLVMBasicBlockRef fail) {
+  rewrite->scope.slots = make_slots(rewrite, production);
+  neighbours_require(rewrite, production, rewrite->scope.slots, fail);
+  require_expr(rewrite, production->match, fail);
+  bool known =
+    production->guard && !production->before.count && !expr_draws(rewrite->scope.ir->program, production->guard);
+  if (known) require_expr(rewrite, production->guard, fail);
+}
+
+void select_any(Rewrite *rewrite, const Productions *productions, void (*then)(Rewrite *rewrite)) {
+  Ir *ir = rewrite->scope.ir;
+  for (size_t i = 0; i < productions->count; i++) {
+    if (production_never(ir->program, productions->at[i])) continue;
+    LLVMBasicBlockRef fail = ir_block(ir, "next");
+    suspect(rewrite, productions->at[i], fail);
+    then(rewrite);
+    ir_at(ir, fail);
+  }
+}
+
 bool select_production(Rewrite *rewrite, const Productions *productions, Take take) {
   Ir *ir = rewrite->scope.ir;
   Lottery lottery = {.sum = ir_double(ir, 0)};

@@ -80,6 +80,23 @@ const Production *choose(Interp *interp, const Section *section, int64_t table, 
   return draw(interp, count);
 }
 
+// As choose, but changes nothing: blocks are not run, nothing is drawn, and what depends on either counts as holding.
+bool suspects(Interp *interp, const Section *section, const Subject *subject) {
+  Scope *scope = &interp->scope;
+  const Box *box = &subject->word->at[subject->at];
+  const Productions *list = &section->of[box->kind];
+  for (size_t i = 0; i < list->count; i++) {
+    const Production *p = list->at[i];
+    scope_start(scope, box->key);
+    scope_push(scope, (size_t)p->parameters + p->locals);
+    if (!match_strict(interp, p, subject) || !match_contexts(interp, p, subject)) continue;
+    if (p->match && !evaluate_holds(scope, p->match)) continue;
+    if (!p->guard || p->before.count || expr_draws(interp->program, p->guard)) return true;
+    if (evaluate_holds(scope, p->guard)) return true;
+  }
+  return false;
+}
+
 void replace(Interp *interp, const Production *production, uint64_t key, Boxes *out) {
   Scope *scope = &interp->scope;
   execute(scope, &production->after);

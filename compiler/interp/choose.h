@@ -18,6 +18,9 @@ typedef struct Subject {
 // stays. table: of this step; -1: all of them.
 const Production *choose(Interp *interp, const Section *section, int64_t table, const Subject *subject);
 
+// Would some production of the section replace the subject? Changes nothing.
+bool suspects(Interp *interp, const Section *section, const Subject *subject);
+
 // Finishes the rewriting: runs the production's last block and appends its
 // successor to out. key is the subject's.
 void replace(Interp *interp, const Production *production, uint64_t key, Boxes *out);

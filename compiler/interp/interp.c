@@ -19,7 +19,6 @@ typedef struct Pair {
 
 static Interp *begin(LsysRun *run, Interp *interp) {
   interp->scope.run = interp->blocks.run = run;
-  interp->warned_decomposition = interp->warned_homomorphism = false;
   return interp;
 }
 

@@ -42,7 +42,6 @@ typedef struct Interp {
   size_t symbol_room, key_room;
   uint32_t *nesting;  // L-systems around the module at hand
   size_t nesting_room;
-  bool warned_decomposition, warned_homomorphism;  // in this derivation
 } Interp;
 
 // One derivation step but for its blocks and its decomposition. step is its number, from 0.

@@ -5,8 +5,6 @@
 // Source: LANGUAGE.md 5.7.
 #include "interp/choose.h"
 
-#include <stdio.h>
-
 static uint32_t maximum_depth(Interp *interp, const Section *section) {
   if (!section->rewriting->depth) return 1;
   scope_start(&interp->scope, 0);
@@ -33,28 +31,22 @@ static void replace_top(Interp *interp, const Production *production) {
   for (size_t j = successor->count; j-- > 0;) push(interp, successor, j, successor->at[j].key, top.depth - 1);
 }
 
-static void warn_depth(Interp *interp, const Section *section, KindId kind) {
-  const char *what = section->rewriting == &section->lsystem->decomposition ? "decomposition" : "homomorphism";
-  fprintf(stderr, "%s: warning: %s reached its maximum depth at module %s, which stays\n", interp->program->name, what,
-          interp->program->kinds[kind].symbol);
+static void tell_cut(Interp *interp, const Section *section) {
+  lsys_cut_short(interp->scope.run, section->rewriting == &section->lsystem->homomorphism);
 }
 
 // Unfolds the module on the stack into next; its contexts are those of module place of the word.
-static void unfold(Interp *interp, const Section *section, const Links *links, size_t place, bool *warned) {
+static void unfold(Interp *interp, const Section *section, const Links *links, size_t place) {
   while (interp->stack.count) {
     size_t top = interp->stack.count - 1;
     Subject subject = {&interp->stack, top, links, place};
     const Box box = interp->stack.at[top];
-    bool wanted = box.depth || (section->rewriting->warnings && !*warned);
-    const Production *production = wanted ? choose(interp, section, -1, &subject) : NULL;
-    if (production && box.depth) {
+    const Production *production = box.depth ? choose(interp, section, -1, &subject) : NULL;
+    if (production) {
       replace_top(interp, production);
       continue;
     }
-    if (production) {
-      warn_depth(interp, section, box.kind);
-      *warned = true;
-    }
+    if (!box.depth && section->rewriting->warnings && suspects(interp, section, &subject)) tell_cut(interp, section);
     boxes_copy(interp->scope.run, &interp->next, interp->program, &interp->stack, top, box.key);
     pop(interp);
   }
@@ -67,7 +59,7 @@ void decompose_word(Interp *interp) {
     const Section *section = &interp->systems[system_at(interp, &depth, i)].decomposition;
     interp->next.from = interp->word.at[i].from;
     push(interp, &interp->word, i, interp->word.at[i].key, maximum_depth(interp, section));
-    unfold(interp, section, NULL, i, &interp->warned_decomposition);
+    unfold(interp, section, NULL, i);
   }
   swap_words(interp);
 }
@@ -87,7 +79,7 @@ void homomorphism_word(Interp *interp) {
     const Section *section = &interp->systems[system_at(interp, &depth, i)].homomorphism;
     const Links *links = section->contexts ? &section->links : NULL;
     push(interp, &interp->word, i, homomorphism_key(section, interp->word.at[i].key), maximum_depth(interp, section));
-    unfold(interp, section, links, i, &interp->warned_homomorphism);
+    unfold(interp, section, links, i);
   }
   swap_words(interp);
 }

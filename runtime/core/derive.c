@@ -150,6 +150,7 @@ bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar
   const LsysOptionValue *seed = &options->at[LSYS_OPTION_SEED], *range = &options->at[LSYS_OPTION_RANGE];
   *derivation = (LsysDerivation){.worker = {.memory = memory, .run = {.grammar = grammar, .memory = memory}}};
   LsysRun *run = &derivation->worker.run;
+  run->told = &derivation->told;
   derivation->has_range = range->given;
   if (range->given && !lsys_range_parse(range, &derivation->range)) return false;
   const LsysOptionValue *by = &options->at[LSYS_OPTION_COLOUR_BY];

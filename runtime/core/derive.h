@@ -14,6 +14,7 @@ typedef struct LsysDerivation {
   bool has_range;      // only these modules of each word are wanted
   LsysRange range;
   bool expands;                     // by the expand engine, else by the step engine
+  uint32_t told;                    // what lsys_cut_short has told
   unsigned threads;                 // that may work on a derivation
   uint32_t first_axiom, axiom_end;  // the start words that are asked for
 } LsysDerivation;

@@ -3,6 +3,8 @@
 // (and E, F, G), one for each value.
 #include "lsys/abi.h"
 
+#include "core/message.h"
+
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -37,6 +39,12 @@ static const char *print_value(LsysRun *run, const char *from, double value) {
   fprintf(stderr, format, whole ? trunc(value) : value);
 #pragma GCC diagnostic pop
   return letter + 1;
+}
+
+void lsys_cut_short(LsysRun *run, uint32_t which) {
+  if (!run->told || __atomic_fetch_or(run->told, 1u << which, __ATOMIC_RELAXED) & 1u << which) return;
+  lsys_warning("the %s reached its maximum depth; what it left stays as it is (said once)",
+               which ? "homomorphism" : "decomposition");
 }
 
 void lsys_print(LsysRun *run, const char *format, const double *values, uint32_t count) {

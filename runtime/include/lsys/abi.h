@@ -91,6 +91,8 @@ struct LsysRun {
   uint64_t born;
 
   struct LsysMemory *memory;              // the run time's account of what is held; NULL: none is kept
+  uint32_t *told;  // of lsys_cut_short, for all threads; NULL: nothing is told
+
   struct LsysSurroundings *surroundings;  // the run time's, of lsys_look
 };
 
@@ -237,6 +239,9 @@ void lsys_charge(LsysRun *run, int64_t bytes);
 
 // Ends the run with a message for the user, such as an array's index out of range; does not return.
 void lsys_fail(LsysRun *run, const char *format, ...) __attribute__((format(printf, 2, 3), noreturn));
+
+// Tells the user, once, that a maximum depth cut a decomposition (0) or homomorphism (1) off; any thread may call it.
+void lsys_cut_short(LsysRun *run, uint32_t which);
 
 // Before a step: sets the arguments of queries and communication modules in the word whose arguments are `argument`
 // (those of word). Does nothing for grammars without any; does not return where there is no memory.
