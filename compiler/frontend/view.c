@@ -98,19 +98,26 @@ static AstStatement *add(View *view, AstStatementKind kind) {
   return statement;
 }
 
-static void set(View *view, unsigned setting, AstExpr *value) {
-  AstStatement *statement = NULL;  // the last one counts
+static AstStatement *given(const View *view, unsigned setting) {
   for (size_t i = 0; i < view->out->count; i++)
-    if (view->out->at[i].kind == AST_SETTING && view->out->at[i].setting == setting) statement = &view->out->at[i];
+    if (view->out->at[i].kind == AST_SETTING && view->out->at[i].setting == setting) return &view->out->at[i];
+  return NULL;
+}
+
+static void set(View *view, unsigned setting, AstExpr *value) {
+  AstStatement *statement = given(view, setting);  // the last one counts
   if (!statement) statement = add(view, AST_SETTING);
   statement->setting = setting;
   statement->value = value;
 }
 
+// A direction: three numbers, of which cpfg makes a vector of length 1.
 static bool vector(View *view, const Command *command) {
   AstExpr *value[3];
   for (int i = 0; i < 3; i++)
     if (!number(view, command->keyword, &value[i])) return false;
+  double length = hypot(hypot(value[0]->number, value[1]->number), value[2]->number);
+  for (int i = 0; i < 3 && length > 0; i++) value[i]->number /= length;
   for (unsigned i = 0; i < 3; i++) set(view, command->setting + i, value[i]);
   return true;
 }
@@ -258,6 +265,21 @@ static void read_line(View *view) {
   }
 }
 
+// What cpfg starts with where its view file says nothing.
+static void add_defaults(View *view) {
+  static const struct {
+    unsigned setting;
+    double value;
+  } defaults[] = {{LSYS_SETTING_ANGLE, 45}, {LSYS_SETTING_WIDTH_STEP, 0}, {LSYS_SETTING_TROPISM_Y, 1}};
+  const Statement nowhere = {.file = view->file, .begin = view->file->text, .end = view->file->text};
+  view->line = &nowhere;
+  for (size_t i = 0; i < sizeof defaults / sizeof *defaults; i++)
+    if (!given(view, defaults[i].setting))
+      set(view, defaults[i].setting,
+          ast_number(view->build, (Span){view->file->base, view->file->base}, defaults[i].value));
+  view->line = NULL;
+}
+
 static void tell_idle(View *view) {
   const char *list = "";
   for (size_t i = 0; i < view->idle.count; i++)
@@ -280,6 +302,7 @@ void view_read(Arena *arena, Sources *sources, Diag *diag, const ParseOptions *o
   View view = {.build = parser.build, .diag = diag, .file = file, .out = &statements};
   Reader *reader = reader_create(&parser, sources, file, options);
   while ((view.line = reader_next(reader)) != NULL) read_line(&view);
+  add_defaults(&view);
   tell_idle(&view);
   parser_finish(&parser);
   for (size_t i = 0; i < ast->statements.count; i++) *VEC_PUSH(arena, &statements) = ast->statements.at[i];

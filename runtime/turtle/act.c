@@ -60,6 +60,7 @@ static TurtleAction *const actions[LSYS_TURTLE_COUNT] = {
   [LSYS_TURTLE_HEAD_TO] = act_head_to,
   [LSYS_TURTLE_SWAP_TURNS] = act_swap_turns,
   [LSYS_TURTLE_SECOND_TURN] = act_second_turn,
+  [LSYS_TURTLE_ELASTICITY] = act_elasticity,
   [LSYS_TURTLE_TROPISM_SET] = act_tropism_set,
   [LSYS_TURTLE_TROPISM_UP] = act_tropism_up,
   [LSYS_TURTLE_TROPISM_DOWN] = act_tropism_down,

@@ -12,7 +12,7 @@ typedef bool TurtleAction(LsysTurtle *t, int given, const double *arg);
 // turns.c
 TurtleAction act_left, act_right, act_down, act_up, act_roll_left, act_roll_right, act_around, act_vertical;
 TurtleAction act_head_to, act_swap_turns, act_second_turn;
-TurtleAction act_tropism_set, act_tropism_up, act_tropism_down;
+TurtleAction act_elasticity, act_tropism_set, act_tropism_up, act_tropism_down;
 void turtle_bend(LsysTurtle *t);               // towards the tropism, after a move
 LsysVec3 turtle_heading(const LsysTurtle *t);  // unit, or one step on a lattice
 Frame turtle_frame(const LsysTurtle *t);       // whatever the turtle keeps

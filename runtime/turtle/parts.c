@@ -51,6 +51,7 @@ static bool is_local(LsysTurtleOp op) {
   case LSYS_TURTLE_SECOND_MOVE:
   case LSYS_TURTLE_COLOUR_ADD:
   case LSYS_TURTLE_COLOUR_SUBTRACT:
+  case LSYS_TURTLE_ELASTICITY:
   case LSYS_TURTLE_TROPISM_SET:
   case LSYS_TURTLE_TROPISM_UP:
   case LSYS_TURTLE_TROPISM_DOWN:
@@ -92,6 +93,8 @@ static const char *check_kind(const LsysParts *parts, uint32_t i) {
   const LsysKind *kind = &parts->run->grammar->kinds[i];
   LsysTurtleOp op = (LsysTurtleOp)kind->turtle;
   if (!is_local(op)) return "it has symbols that depend on where the turtle stands, or on how it came there";
+  bool widens = (op == LSYS_TURTLE_WIDTH || op == LSYS_TURTLE_WIDTH_UP) && !kind->arity;
+  if (widens && isfinite(parts->run->value[LSYS_SETTING_WIDTH_STEP])) return "it changes line widths by an amount";
   if (!lsys_parts_expands(parts, i)) return NULL;
   if (!(kind->flags & LSYS_KIND_FIXED) || parts->run->block_levels[i] < 2)
     return "it is not deterministic, or has productions with arguments";

@@ -39,23 +39,29 @@ static void add_colour(LsysTurtle *t, int sign, int arity, const double *arg) {
   set_colour(t, index);
 }
 
+// One `#` or, with sign -1, `!` without an argument.
+static double other_width(const LsysTurtle *t, int sign) {
+  if (isfinite(t->width_step)) return fmax(t->state.width + sign * t->width_step * t->state.size, 0);
+  return sign < 0 ? t->state.width * THINNER : t->state.width / THINNER;
+}
+
 bool act_width(LsysTurtle *t, int given, const double *arg) {
-  set_width(t, given ? turtle_width(t, arg[0]) : t->state.width * THINNER);
+  set_width(t, given ? turtle_width(t, arg[0]) : other_width(t, -1));
   return true;
 }
 
 bool act_width_up(LsysTurtle *t, int given, const double *arg) {
-  set_width(t, given ? turtle_width(t, arg[0]) : t->state.width / THINNER);
+  set_width(t, given ? turtle_width(t, arg[0]) : other_width(t, 1));
   return true;
 }
 
 bool act_colour_up(LsysTurtle *t, int given, const double *arg) {
-  set_colour(t, given ? arg[0] : t->state.colour + 1.0);
+  set_colour(t, given ? arg[0] : t->state.colour + t->colour_step);
   return true;
 }
 
 bool act_colour_down(LsysTurtle *t, int given, const double *arg) {
-  set_colour(t, given ? arg[0] : t->state.colour - 1.0);
+  set_colour(t, given ? arg[0] : t->state.colour - t->colour_step);
   return true;
 }
 

@@ -109,8 +109,9 @@ struct LsysTurtle {
   uint32_t born;      //   of the part that is being read
   size_t state_size;  // bytes of State that brackets save
 
-  double angle, step;         // defaults; step in lattice units
-  double turn_cos, turn_sin;  // of the default angle
+  double angle, step;                               // defaults; step in lattice units
+  double turn_cos, turn_sin;                        // of the default angle
+  double width_step, colour_step, elasticity_step;  // of symbols without an argument; width_step nan: by a ratio
   LsysVec3 tropism;
   bool clockwise;  // turns:
   bool watches;    // State.drawn and lines are kept

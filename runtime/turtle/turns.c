@@ -178,6 +178,11 @@ static void set_elasticity(LsysTurtle *t, int given, const double *arg, double b
   t->state.elasticity = base + sign * (given > 1 ? arg[1] : 0);
 }
 
+bool act_elasticity(LsysTurtle *t, int given, const double *arg) {
+  t->state.elasticity = given ? arg[0] : t->state.elasticity + t->elasticity_step;
+  return true;
+}
+
 bool act_tropism_set(LsysTurtle *t, int given, const double *arg) {
   set_elasticity(t, given, arg, 0, 1);
   return true;

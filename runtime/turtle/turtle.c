@@ -99,6 +99,7 @@ static Abilities abilities(const LsysGrammar *g) {
       can.free_frame = true;
       can.leaves_page |= g->kinds[i].arity > 2;
       break;
+    case LSYS_TURTLE_ELASTICITY:
     case LSYS_TURTLE_TROPISM_SET:
     case LSYS_TURTLE_TROPISM_UP:
     case LSYS_TURTLE_TROPISM_DOWN:
@@ -216,6 +217,9 @@ static bool set_up(LsysTurtle *t) {
   t->to_points = g->environment == LSYS_ENVIRONMENT_POINT;
   bool lattice = t->flat && !can.any_length && !can.any_angle;
   if (!directions_create(&t->directions, t->angle, heading, can.any_angle, lattice)) return out_of_memory();
+  t->width_step = t->run->value[LSYS_SETTING_WIDTH_STEP];
+  t->colour_step = setting(t->run, LSYS_SETTING_COLOUR_STEP);
+  t->elasticity_step = setting(t->run, LSYS_SETTING_ELASTICITY_STEP);
   double step = setting(t->run, LSYS_SETTING_STEP), width = setting(t->run, LSYS_SETTING_WIDTH);
   t->step = t->directions.lattice ? 1 : step;
   t->plain = t->flat && t->directions.exact && !(g->flags & LSYS_GRAMMAR_WIDE);
