@@ -60,6 +60,7 @@ typedef struct Slot {
 // Which names are bound to slots where an expression stands.
 typedef struct Scope {
   ScopeKind kind;
+  bool start;        // SCOPE_BLOCK: of Start
   uint64_t number;   // never the same for two scopes
   VEC(Slot) slots;   // formal parameters, then local variables
   uint32_t visible;  // slots below it are seen
@@ -183,6 +184,7 @@ typedef struct Check {
   const AstStatement *environment;
   Expr *parameters[LSYS_ENVIRONMENT_VALUES];  // of it
   Expr *settings[LSYS_SETTING_COUNT], *seed;
+  Expr *start_seed;                   // srand in Start
   bool fallback[LSYS_SETTING_COUNT];  // the setting is of a view file: the grammar's own counts
   bool uses_tables;                   // some block calls useTable
 } Check;

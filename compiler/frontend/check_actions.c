@@ -63,6 +63,25 @@ static void use_table(Check *check, const AstExpr *call, Action *action) {
   check->uses_tables = true;
 }
 
+// cpfg sets its stream of random numbers back with srand. Here there is no stream: before the derivation it
+// chooses the seed, and behind that it has nothing to do.
+static void seed_random(Check *check, const AstExpr *call, Action *action) {
+  action->kind = ACTION_IF;
+  action->value = expr_number(check->arena, 0, call->span);
+  if (call->args.count != 1) {
+    diag_error(check->diag, call->span, "`srand` takes one argument, not %zu", call->args.count);
+    return;
+  }
+  Expr *seed = check_expression(check, call->args.at[0]);
+  double value;
+  if (seed == check->poison) return;
+  if (check->scope.start && expr_constant(check->program, seed, &value))
+    check->start_seed = seed;
+  else
+    diag_remark(check->diag, call->span,
+                "`srand` does nothing here: what a module draws depends on its place and the seed alone");
+}
+
 // The number of values that a printf format asks for; -1 after an error.
 static int conversions(Check *check, const AstExpr *format) {
   int count = 0;
@@ -134,6 +153,8 @@ static void evaluate(Check *check, const AstExpr *value, Action *action) {
   if (value->kind == AST_POISON) return;
   if (function == LSYS_FN_USE_TABLE)
     use_table(check, value, action);
+  else if (function == LSYS_FN_SRAND)
+    seed_random(check, value, action);
   else if (function != LSYS_FN_COUNT && lsys_functions[function].how == LSYS_FN_EFFECT)
     action->value = effect(check, value, function);
   else if (value->kind == AST_CALL && function == LSYS_FN_COUNT)

@@ -38,6 +38,7 @@ Definition *name_definition(const Check *check, const Name *name) {
 
 void check_scope(Check *check, ScopeKind kind) {
   check->scope.kind = kind;
+  check->scope.start = false;
   check->scope.number = ++check->scopes;
   check->scope.slots.count = 0;
   check->scope.visible = 0;

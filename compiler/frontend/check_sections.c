@@ -97,6 +97,7 @@ static void read_depth(Check *check, const AstStatement *statement) {
 static void read_block(Check *check, const AstStatement *statement) {
   static const char *const names[] = {"Start", "StartEach", "EndEach", "End"};
   check_scope(check, SCOPE_BLOCK);
+  check->scope.start = strcasecmp(statement->name, names[0]) == 0;
   Actions actions = check_actions(check, &statement->actions);
   for (int which = 0; which < 4; which++) {
     if (strcasecmp(statement->name, names[which]) != 0) continue;

@@ -239,7 +239,8 @@ static void finish_settings(Check *check) {
     whole(check, steps, "the number of steps", 0, LARGEST_WHOLE);
     if (value > 0 && value < 1) diag_hint(check->diag, "the length of F is given by `step:`");
   }
-  if (check->seed) program->seed = (uint64_t)whole(check, check->seed, "a seed", 0, LARGEST_WHOLE);
+  const Expr *seed = check->seed ? check->seed : check->start_seed;
+  if (seed) program->seed = (uint64_t)whole(check, seed, "a seed", 0, LARGEST_WHOLE);
 }
 
 void check_systems(Check *check) {

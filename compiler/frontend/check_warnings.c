@@ -12,7 +12,8 @@ static void warn_guard(Check *check, const Production *production) {
   if (!production->guard || !expr_literal(production->guard, &value)) return;
   diag_warning(check->diag, WARN_CONSTANT_GUARD, production->guard->span,
                lsys_holds(value) ? "this condition always holds" : "this condition never holds");
-  diag_hint(check->diag, lsys_holds(value) ? "without it the production does the same" : "the production never applies");
+  diag_hint(check->diag,
+            lsys_holds(value) ? "without it the production does the same" : "the production never applies");
 }
 
 static void warn_weight(Check *check, const Production *production) {
