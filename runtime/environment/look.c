@@ -215,7 +215,7 @@ void lsys_look(LsysRun *run, const LsysWord *word, double *argument) {
     uint64_t end = at;
     const LsysKind *kind = NULL;
     for (; end < word->nsym; end++) {
-      uint16_t symbol = wide ? (uint16_t)(word->sym[2 * end] | word->sym[2 * end + 1] << 8) : word->sym[end];
+      uint32_t symbol = wide ? word->sym[2 * end] | (uint32_t)word->sym[2 * end + 1] << 8 : word->sym[end];
       kind = &grammar->kinds[symbol];
       if (is_query(kind->turtle)) break;
     }

@@ -24,7 +24,7 @@ typedef struct Generator {
   int formals;  // of the production that is being made
   bool local;   // ... and it has a local variable
   bool parametric, guarded, stochastic, bracketed, cuts, left, right, decomposes, interprets, defines, drawn, blocks,
-    pseudo;
+    pseudo, asks;
 } Generator;
 
 // ---- chance ------------------------------------------------------------------
@@ -267,9 +267,13 @@ static void choose_kinds(Generator *g) {
     if (g->parametric && chance(g, 10)) g->kinds[g->kind_count++] = (Kind){letters[i], (arity + 1) % MOST_ARGS};
   }
   if (chance(g, 30)) g->kinds[g->kind_count++] = (Kind){'F', 0};
+  static const char queries[] = "ephlu";
+  for (int i = 0; g->asks && i < 2; i++)
+    g->kinds[g->kind_count++] = (Kind){queries[below(g, i ? 5 : 1)], below(g, MOST_ARGS)};
 }
 
 static void choose_features(Generator *g) {
+  static const char *const environments[] = {"point", "occupancy(cell=2)", "light(shade=0.75)", "terrain(height=3)"};
   g->parametric = chance(g, 65);
   g->guarded = g->parametric && chance(g, 70);
   g->stochastic = chance(g, 40);
@@ -285,6 +289,8 @@ static void choose_features(Generator *g) {
   if (chance(g, 12)) g->grammar->schedule = chance(g, 50) ? "t0 t1" : "t0 t1 t1";
   g->cuts = g->bracketed && chance(g, 15);
   g->grammar->nested = chance(g, 12);
+  g->asks = g->parametric && !g->grammar->nested && !(g->interprets && (g->left || g->right)) && chance(g, 15);
+  if (g->asks && chance(g, 60)) g->grammar->environment = environments[below(g, 4)];
   g->grammar->ring = (g->left || g->right) && !g->bracketed && chance(g, 15);
 }
 

@@ -35,7 +35,7 @@ struct Node {
 enum { MOST_ARGS = 3, FUZZ_TABLES = 2 };
 
 typedef struct FuzzModule {
-  char symbol;
+  char symbol;  // of e, p, h, l, u: a query
   int arity;
   Node *arg[MOST_ARGS];  // of a predecessor: formal parameters, or numbers to match
 } FuzzModule;
@@ -66,6 +66,7 @@ typedef struct FuzzGrammar {
   bool consider;       // `ignore` is a consider:
   bool ring;
   const char *schedule;       // tables by step, NULL: no tables
+  const char *environment;    // NULL: no such statement
   bool nested;                // there is a sub-L-system, number 1,
   const char *ignore_nested;  //   with its own ignored symbols; NULL: none
 } FuzzGrammar;

@@ -1,6 +1,8 @@
 // print.c -- random grammars in the native notation.
 #include "grammar.h"
 
+#include <string.h>
+
 static void print_node(FILE *out, const Node *node);
 
 static void print_arguments(FILE *out, const Node *node) {
@@ -61,7 +63,10 @@ static void print_word(FILE *out, const FuzzWord *word) {
   if (word->count == 0) fputc('*', out);
   for (size_t i = 0; i < word->count; i++) {
     const FuzzModule *module = &word->at[i];
-    fputc(module->symbol, out);
+    if (strchr("ephlu", module->symbol))
+      fprintf(out, "?%c", module->symbol - 'a' + 'A');
+    else
+      fputc(module->symbol, out);
     for (int k = 0; k < module->arity; k++) {
       fputc(k ? ',' : '(', out);
       print_node(out, module->arg[k]);
@@ -125,6 +130,7 @@ static void print_statements(const FuzzGrammar *grammar, FILE *out) {
     print_node(out, grammar->defines.at[i]);
     fputc('\n', out);
   }
+  if (grammar->environment) fprintf(out, "environment: %s\n", grammar->environment);
   if (grammar->ring) fputs("ring lsystem\n", out);
   fprintf(out, "steps: %d\nseed: %llu\n", grammar->steps, (unsigned long long)grammar->seed);
   if (grammar->ignore) fprintf(out, "%s: %s\n", grammar->consider ? "consider" : "ignore", grammar->ignore);
