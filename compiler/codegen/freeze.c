@@ -147,8 +147,9 @@ static LLVMValueRef pointer(Ir *ir, LLVMValueRef function) {
 // A table of cases needs no index of branches.
 static uint32_t flags(const Ir *ir) {
   uint32_t given = ir->description->flags;
-  bool index = !ir->letters || (given & LSYS_GRAMMAR_WHOLE);
-  return index ? given : given & ~(uint32_t)LSYS_GRAMMAR_RIGHT;
+  if (!ir->letters) return given;
+  if (!(given & LSYS_GRAMMAR_WHOLE)) given &= ~(uint32_t)LSYS_GRAMMAR_RIGHT;
+  return given | LSYS_GRAMMAR_LETTERS;
 }
 
 #define FIELD(name, value)                                                                                             \

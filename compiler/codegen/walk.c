@@ -361,6 +361,7 @@ static void run_loop(Rewrite *rewrite, Each each) {
   dispatch(rewrite, symbol, each);
   ir_at(ir, done);
   walk_store(rewrite);
+  for (uint32_t view = 0; view < views(ir); view++) store_window(rewrite, view);  // a scan may go on from here
   line_settle(rewrite);
   LLVMBuildRetVoid(ir->builder);
 }

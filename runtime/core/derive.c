@@ -148,7 +148,8 @@ static bool choose_threads(LsysDerivation *derivation, const LsysOptions *option
 bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar, const LsysOptions *options,
                           LsysMemory *memory) {
   const LsysOptionValue *seed = &options->at[LSYS_OPTION_SEED], *range = &options->at[LSYS_OPTION_RANGE];
-  *derivation = (LsysDerivation){.worker = {.memory = memory, .run = {.grammar = grammar, .memory = memory}}};
+  *derivation = (LsysDerivation){.stretch = LSYS_STRETCH,
+                                 .worker = {.memory = memory, .run = {.grammar = grammar, .memory = memory}}};
   LsysRun *run = &derivation->worker.run;
   run->told = &derivation->told;
   derivation->has_range = range->given;
@@ -246,7 +247,8 @@ static bool derive(Task *task) {
     run->born = 0;
     if (run->steps == 0 && !grammar->block) return task->sink->take(task->sink, &task->word);
     if (!task->derivation->expands && !run->births)
-      return lsys_stepper_run(&task->stepper, task->worker, &task->word, task->sink);
+      return lsys_stepper_run(&task->stepper, task->worker, &task->word, task->sink, task->derivation->threads,
+                              task->derivation->stretch);
   }
   if (!task->derivation->blocks && !(task->derivation->blocks = lsys_blocks_build(task->worker))) return false;
   if (run->births && !grammar->derive) return lsys_births_run(&task->births, task->worker, &task->word, task->sink);

@@ -16,6 +16,7 @@ typedef struct LsysDerivation {
   bool expands;                     // by the expand engine, else by the step engine
   uint32_t told;                    // what lsys_cut_short has told
   unsigned threads;                 // that may work on a derivation
+  uint64_t stretch;                 // modules: the step engine cuts words into pieces of about so many for them
   uint32_t first_axiom, axiom_end;  // the start words that are asked for
 } LsysDerivation;
 

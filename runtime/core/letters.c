@@ -43,6 +43,31 @@ static void make_room(LsysScan *scan, Place *place, size_t n) {
   place->depth += below;
 }
 
+// Where a segment begins or ends, modules beyond it have set rows: the one at hand, and those put aside.
+static uint32_t row_of(const LsysMoves *moves, uint32_t kind) {
+  return kind == LSYS_NO_MODULE ? 0 : moves->set[kind];
+}
+
+static Place begin(LsysScan *scan, size_t depth) {
+  scan->aside = scan_array(scan->run, scan->aside, &scan->aside_room, depth, sizeof *scan->aside);
+  return (Place){.depth = depth, .aside = scan->aside};
+}
+
+static Place begin_left(LsysScan *scan, const LsysMoves *moves) {
+  if (!scan->window) return (Place){0};
+  Place place = begin(scan, scan->depth);
+  for (size_t i = 0; i < scan->depth; i++) place.aside[i] = row_of(moves, scan->saved[i * scan->window].kind);
+  place.row = row_of(moves, scan->left->kind);
+  return place;
+}
+
+static Place begin_right(LsysScan *scan, const LsysMoves *moves) {
+  Place place = begin(scan, scan->behind_depth);
+  for (size_t i = 0; i < scan->behind_depth; i++) place.aside[i] = row_of(moves, scan->behind[i]);
+  place.row = row_of(moves, scan->behind_kind);
+  return place;
+}
+
 // ---- codes -------------------------------------------------------------------
 
 INLINE void encode(const uint8_t *sym, uint8_t *code, size_t n, Place *place, const LsysMoves *right, bool nested) {
@@ -59,7 +84,7 @@ static const uint8_t *codes(LsysScan *scan, const LsysLetters *letters) {
   if (!letters->looks_right) return scan->sym;
   size_t left = (size_t)(scan->end - scan->sym);
   scan->code = scan_array(scan->run, scan->code, &scan->code_room, left, 1);
-  Place place = {0};
+  Place place = begin_right(scan, letters->right);
   while (left) {
     size_t n = left < BLOCK ? left : BLOCK;
     if (letters->nested) make_room(scan, &place, n);
@@ -105,7 +130,7 @@ static uint8_t *write_some(uint8_t *out, const uint8_t *code, size_t n, Place *p
 
 void lsys_step_letters(LsysScan *scan, LsysStream *out, const LsysLetters *letters) {
   const uint8_t *code = codes(scan, letters), *end = code + (scan->end - scan->sym);
-  Place place = {0};
+  Place place = begin_left(scan, letters->left);
   while (code < end) {
     if (out->sym_limit - out->sym < LSYS_LETTERS_ROOM((ptrdiff_t)letters->longest)) lsys_flush(out);
     size_t n = (size_t)(end - code), room = ((size_t)(out->sym_limit - out->sym) - letters->width) / letters->longest;

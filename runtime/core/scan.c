@@ -123,8 +123,9 @@ static size_t level_bytes(const LsysScan *scan, size_t room) {
   return room * (sizeof *scan->levels + scan->window * sizeof *scan->saved);
 }
 
-static void grow_levels(LsysScan *scan) {
+static void grow_levels(LsysScan *scan, size_t wanted) {
   size_t room = scan->level_room ? 2 * scan->level_room : 64;
+  while (room < wanted) room *= 2;
   lsys_charge(scan->run, (int64_t)(level_bytes(scan, room) - level_bytes(scan, scan->level_room)));
   struct LsysLevel *levels = realloc(scan->levels, room * sizeof *levels);
   if (levels) scan->levels = levels;
@@ -135,7 +136,7 @@ static void grow_levels(LsysScan *scan) {
 }
 
 void lsys_scan_open(LsysScan *scan) {
-  if (scan->depth == scan->level_room) grow_levels(scan);
+  if (scan->depth == scan->level_room) grow_levels(scan, scan->depth);
   scan->levels[scan->depth] = (struct LsysLevel){scan->ahead, scan->ahead_kind, scan->ahead_known, scan->fresh};
   for (uint32_t i = 0; i < scan->window; i++) scan->saved[scan->depth * scan->window + i] = scan->left[i];
   scan->depth++;
@@ -208,17 +209,22 @@ bool scan_tables(ScanTables *tables, const LsysGrammar *grammar) {
   *tables = (ScanTables){.grammar = grammar, .open = LSYS_NO_MODULE, .close = LSYS_NO_MODULE};
   tables->wide = (grammar->flags & LSYS_GRAMMAR_WIDE) != 0;
   tables->arity = calloc(grammar->kind_count + 1, sizeof *tables->arity);
-  if (!tables->arity) return false;
+  tables->turn = calloc(grammar->kind_count + 1, sizeof *tables->turn);
+  if (!tables->arity || !tables->turn) return false;
   for (uint32_t kind = 0; kind < grammar->kind_count; kind++) {
     tables->arity[kind] = grammar->kinds[kind].arity;
+    tables->parametric |= tables->arity[kind] > 0;
     if (grammar->views->context_class[kind] == LSYS_CLASS_OPEN) tables->open = kind;
     if (grammar->views->context_class[kind] == LSYS_CLASS_CLOSE) tables->close = kind;
   }
+  if (tables->open != LSYS_NO_MODULE) tables->turn[tables->open] = 1;
+  if (tables->close != LSYS_NO_MODULE) tables->turn[tables->close] = -1;
   return true;
 }
 
 void scan_tables_free(ScanTables *tables) {
   free(tables->arity);
+  free(tables->turn);
 }
 
 // A `[` whose `]` was not met yet.
@@ -236,7 +242,12 @@ void *scan_array(LsysRun *run, void *at, size_t *room, size_t count, size_t size
   return grown;
 }
 
-static size_t count_symbol(const LsysSegment *segment, uint32_t kind, bool wide) {
+void scan_array_free(LsysRun *run, void *at, size_t room, size_t size) {
+  lsys_charge(run, -(int64_t)(room * size));
+  free(at);
+}
+
+size_t scan_count(const LsysSegment *segment, uint32_t kind, bool wide) {
   size_t count = 0;
   if (wide)
     for (const uint8_t *at = segment->sym; at < segment->end; at += 2) count += symbol(at, true) == kind;
@@ -266,7 +277,7 @@ void scan_index(ScanIndex *index, const ScanTables *tables, LsysRun *run, LsysSe
   if (tables->open == LSYS_NO_MODULE || !(tables->grammar->flags & LSYS_GRAMMAR_RIGHT)) return;
   size_t total = 0, used = 0, depth = 0;
   for (uint32_t i = 0; i < count; i++)
-    total += segments[i].skip_count = count_symbol(&segments[i], tables->open, tables->wide);
+    total += segments[i].skip_count = scan_count(&segments[i], tables->open, tables->wide);
   index->skips = scan_array(run, index->skips, &index->room, total, sizeof *index->skips);
   for (uint32_t i = 0; i < count; i++) {
     segments[i].skip = index->skips + used;
@@ -312,6 +323,7 @@ void scan_start(LsysScan *scan, const ScanTables *tables, const LsysContextView 
                      .arity = tables->arity,
                      .wide = tables->wide,
                      .ring = view->ring != 0,
+                     .behind_kind = LSYS_NO_MODULE,
                      .levels = kept.levels,
                      .level_room = kept.level_room,
                      .saved = kept.saved,
@@ -323,6 +335,26 @@ void scan_start(LsysScan *scan, const ScanTables *tables, const LsysContextView 
                      .aside_room = kept.aside_room};
   forget_left(scan);
   if (scan->ring) wrap_window(scan);
+}
+
+void scan_enter(LsysScan *scan, uint32_t segment, const ScanBorder *border) {
+  const LsysSegment *from = &scan->segments[segment];
+  scan->sym = from->sym;
+  scan->end = from->end;
+  scan->arg = from->arg;
+  scan->key = from->key;
+  scan->segment = segment;
+  scan->open = 0;
+  scan->depth = border->depth;
+  scan->fresh = border->fresh;
+  scan->ahead_known = 0;
+  if (scan->level_room < border->depth) grow_levels(scan, border->depth);
+  for (uint32_t i = 0; i < scan->window; i++) scan->left[i] = border->left[i];
+  for (size_t i = 0; i < border->depth; i++) scan->levels[i] = (struct LsysLevel){.fresh = border->saved_fresh[i]};
+  for (size_t i = 0; i < border->depth * scan->window; i++) scan->saved[i] = border->saved[i];
+  scan->behind_kind = border->behind_kind;
+  scan->behind = border->behind;
+  scan->behind_depth = border->behind_depth;
 }
 
 void scan_free(LsysScan *scan, LsysRun *run) {

@@ -11,6 +11,8 @@ typedef struct ScanTables {
   const LsysGrammar *grammar;
   uint16_t *arity;  // by kind
   uint8_t wide;     // 1: symbols take two bytes
+  bool parametric;  // some kind has arguments
+  int8_t *turn;     // by kind: 1 for `[`, -1 for `]`, else 0
   uint32_t open;    // kind of `[`, LSYS_NO_MODULE if there is none
   uint32_t close;
 } ScanTables;
@@ -18,6 +20,9 @@ typedef struct ScanTables {
 // False when memory ran out.
 bool scan_tables(ScanTables *tables, const LsysGrammar *grammar);
 void scan_tables_free(ScanTables *tables);
+
+// How often a kind stands in a segment.
+size_t scan_count(const LsysSegment *segment, uint32_t kind, bool wide);
 
 // Fills the skips of all segments: each `[` learns where its branch continues. The arrays are grown as
 // needed and reused from step to step; the run ends when memory does.
@@ -35,8 +40,24 @@ void scan_start(LsysScan *scan, const ScanTables *tables, const LsysContextView 
                 const LsysSegment *segments, uint32_t count, LsysNeighbour *left);
 void scan_free(LsysScan *scan, LsysRun *run);
 
+// With what a scan enters a segment in the middle of a word.
+typedef struct ScanBorder {
+  const LsysNeighbour *left;   // the window
+  const LsysNeighbour *saved;  // windows to which `]` of this segment return, outermost first, depth of them,
+  const uint8_t *saved_fresh;  //   and LsysScan.fresh of each
+  size_t depth;
+  uint32_t fresh;
+  uint32_t behind_kind;    // words of letters: the next seen module behind the segment,
+  const uint32_t *behind;  //   and those behind the branches that it leaves open, innermost last,
+  size_t behind_depth;     //   so many
+} ScanBorder;
+
+// Lets a scan that was started go on at the beginning of a segment.
+void scan_enter(LsysScan *scan, uint32_t segment, const ScanBorder *border);
+
 // An array of at least count elements, grown to twice of that if need be; what it held is kept. The run ends where
 // there is no memory.
 void *scan_array(LsysRun *run, void *at, size_t *room, size_t count, size_t size);
+void scan_array_free(LsysRun *run, void *at, size_t room, size_t size);
 
 #endif

@@ -71,7 +71,7 @@ static _Noreturn void stop(LsysRun *run) {
   longjmp(((LsysWorker *)run)->stop, 1);
 }
 
-static void hand_on(LsysWriter *writer, const LsysWord *part) {
+void lsys_writer_pass(LsysWriter *writer, const LsysWord *part) {
   if (!writer->sink->take(writer->sink, part)) stop(writer->stream.run);
 }
 
@@ -137,7 +137,7 @@ void lsys_flush(LsysStream *out) {
   part.narg = (uint64_t)(out->arg - writer->arg);
   part.nkey = (uint64_t)(out->key - writer->key);
   rewind_cursors(writer);
-  if (part.nsym) hand_on(writer, &part);
+  if (part.nsym) lsys_writer_pass(writer, &part);
 }
 
 static void expand(LsysWriter *writer, const LsysWord *in, uint64_t total, uint64_t steps, uint64_t stop) {
@@ -164,7 +164,7 @@ void lsys_append(LsysStream *out, const uint8_t *sym, uint64_t nsym, const doubl
     make_room(writer, nsym, narg);
   } else if (nsym >= DIRECT || writer->sym_bytes < bytes) {
     lsys_flush(out);
-    hand_on(writer, &(LsysWord){.sym = sym, .arg = arg, .nsym = nsym, .narg = narg});
+    lsys_writer_pass(writer, &(LsysWord){.sym = sym, .arg = arg, .nsym = nsym, .narg = narg});
     return;
   } else if ((size_t)(out->sym_limit - out->sym) < bytes) {
     lsys_flush(out);

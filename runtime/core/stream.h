@@ -39,6 +39,9 @@ void lsys_writer_close(LsysWriter *writer);
 // Makes these arrays, of the same sizes as its own, the writer's chunk, and empty.
 void lsys_writer_use(LsysWriter *writer, uint8_t *sym, double *arg, uint64_t *key);
 
+// Hands a part that stands elsewhere to the sink; nothing else is written now. The run ends where the sink refuses it.
+void lsys_writer_pass(LsysWriter *writer, const LsysWord *part);
+
 // Both derive modules with `steps` steps left, of `total` ones of the whole derivation, flush, and may change the
 // run's steps: to the end, or until `left` steps are left; then the modules have their keys.
 void lsys_writer_finish(LsysWriter *writer, const LsysWord *in, uint64_t total, uint64_t steps);

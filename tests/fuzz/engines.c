@@ -60,9 +60,12 @@ static Collector collector(Arena *arena) {
                      .arena = arena};
 }
 
-static bool derive_into(const LsysGrammar *grammar, const LsysOptions *options, LsysMemory *memory, LsysSink *sink) {
+// stretch 0: as long as they are for users.
+static bool derive_into(const LsysGrammar *grammar, const LsysOptions *options, LsysMemory *memory, LsysSink *sink,
+                        uint64_t stretch) {
   LsysDerivation derivation;
   bool well = lsys_derivation_open(&derivation, grammar, options, memory);
+  if (stretch) derivation.stretch = stretch;
   for (uint32_t axiom = 0; well && axiom < grammar->axiom_count; axiom++)
     well = lsys_derivation_run(&derivation, axiom, sink, 0);
   lsys_derivation_close(&derivation);
@@ -73,12 +76,12 @@ static bool derive_into(const LsysGrammar *grammar, const LsysOptions *options, 
 static bool derive(const LsysGrammar *grammar, Collector *into) {
   LsysOptions options = {0};
   LsysMemory memory = {.limit = UINT64_C(1) << 31};
-  if (!derive_into(grammar, &options, &memory, &into->sink)) return false;
+  if (!derive_into(grammar, &options, &memory, &into->sink, 0)) return false;
   into->lengths.word = into->lengths.figure = into->sym.count / into->width;
   if (!(grammar->flags & LSYS_GRAMMAR_HOMOMORPHISM)) return true;
   LsysSink *figure =
     lsys_sink_homomorphism(&(LsysSinkContext){.grammar = grammar, .options = &options, .memory = &memory}, &into->sink);
-  bool well = figure && derive_into(grammar, &options, &memory, figure);
+  bool well = figure && derive_into(grammar, &options, &memory, figure, 0);
   if (figure) figure->destroy(figure);
   into->lengths.figure = into->sym.count / into->width - into->lengths.word;
   return well;
@@ -205,7 +208,7 @@ static bool derive_digest(const LsysGrammar *grammar, uint64_t steps, uint64_t t
   options.at[LSYS_OPTION_THREADS] = (LsysOptionValue){.given = true, .whole = threads};
   LsysMemory memory = {.limit = UINT64_C(1) << 31};
   *into = (Digest){.sink = {.passes = 1, .begin = begin_digest, .take = digest, .end = end, .finish = end}};
-  return derive_into(grammar, &options, &memory, &into->sink);
+  return derive_into(grammar, &options, &memory, &into->sink, 0);
 }
 
 // So many steps that the work is worth sharing, on one thread and on seven.
@@ -216,6 +219,24 @@ static bool same_on_threads(const LsysGrammar *grammar, uint64_t steps) {
   fprintf(stderr, "after %" PRIu64 " steps, %" PRIu64 " modules: seven threads give another word than one\n", steps,
           one.modules);
   return false;
+}
+
+// The step engine on three threads, whose words are cut into stretches of a few modules: nearly all contexts reach
+// over borders.
+static bool same_in_stretches(const LsysGrammar *grammar, Arena *arena, const Collector *word) {
+  if (!grammar->step) return true;
+  LsysOptions options = {0};
+  options.at[LSYS_OPTION_THREADS] = (LsysOptionValue){.given = true, .whole = 3};
+  for (uint64_t stretch = 1; stretch <= 7; stretch += 3) {
+    LsysMemory memory = {.limit = UINT64_C(1) << 31};
+    Collector other = collector(arena);
+    if (!derive_into(grammar, &options, &memory, &other.sink, stretch)) return false;
+    Collector beginning = *word;
+    beginning.sym.count = word->lengths.word * word->width;
+    if (beginning.arg.count > other.arg.count) beginning.arg.count = other.arg.count;
+    if (!same_word(&beginning, &other, "three threads")) return false;
+  }
+  return true;
 }
 
 // ---- compiled code --------------------------------------------------------------
@@ -229,6 +250,7 @@ static Verdict compare_jit(const Engines *engines, const Compilation *c, const C
   Collector other = collector(c->arena);
   const LsysGrammar *grammar = engines->backend->jit_grammar(jit);
   bool well = derive(grammar, &other) && same_word(word, &other, "jit");
+  well = well && same_in_stretches(grammar, c->arena, &other);
   if (well && long_steps) well = same_on_threads(grammar, long_steps);
   engines->backend->jit_free(jit);
   return well ? VERDICT_AGREE : VERDICT_DIFFER;

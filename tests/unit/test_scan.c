@@ -13,8 +13,10 @@
 #include "core/store.h"
 #include "grammars.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { A, B, C, D, E, S, G, H, I, J, K, L, M, N, O, Z, OPEN, CLOSE, KINDS };
 static const char letters[] = "ABCDESGHIJKLMNOZ[]";
@@ -94,9 +96,10 @@ static uint8_t *packed(const char *word, size_t length) {
   return sym;
 }
 
-// The word after some steps, as letters; to be freed.
-static char *derive(void (*step)(LsysScan *, LsysStream *), uint32_t flags, const char *word, size_t length,
-                    uint64_t steps) {
+// The word after some steps, as letters, to be freed; NULL where the derivation failed. stretch: modules that a thread
+// takes at once.
+static char *derive_on(unsigned threads, uint64_t stretch, void (*step)(LsysScan *, LsysStream *), uint32_t flags,
+                       const char *word, size_t length, uint64_t steps) {
   for (int k = 0; k < KINDS; k++) kinds[k] = (LsysKind){.symbol = "?"};
   uint8_t *sym = packed(word, length);
   LsysAxiom axiom = {.word = {.sym = sym, .nsym = length}};
@@ -120,16 +123,33 @@ static char *derive(void (*step)(LsysScan *, LsysStream *), uint32_t flags, cons
   LsysDerivation derivation;
   LsysOptions options = {0};
   options.at[LSYS_OPTION_STEPS] = (LsysOptionValue){.given = true, .whole = steps};
+  options.at[LSYS_OPTION_THREADS] = (LsysOptionValue){.given = true, .whole = threads};
   assert_true(lsys_derivation_open(&derivation, &grammar, &options, &memory));
+  derivation.stretch = stretch;
   LsysStore store;
   lsys_store_open(&store, &grammar, &memory);
-  assert_true(lsys_derivation_run(&derivation, 0, &store.sink, 0));
-  char *result = calloc(store.nsym + 1, 1);
-  for (uint64_t i = 0; i < store.nsym; i++) result[i] = letters[store.sym[i]];
+  char *result = NULL;
+  if (lsys_derivation_run(&derivation, 0, &store.sink, 0)) {
+    result = calloc(store.nsym + 1, 1);
+    for (uint64_t i = 0; i < store.nsym; i++) result[i] = letters[store.sym[i]];
+  }
   lsys_store_close(&store);
   lsys_derivation_close(&derivation);
   free(sym);
   assert_int_equal(memory.used, 0);
+  return result;
+}
+
+// The same on one thread, and on three whose stretches begin and end everywhere.
+static char *derive(void (*step)(LsysScan *, LsysStream *), uint32_t flags, const char *word, size_t length,
+                    uint64_t steps) {
+  char *result = derive_on(1, length, step, flags, word, length, steps);
+  assert_non_null(result);
+  for (uint64_t stretch = length < 100 ? 1 : length / 7; stretch < length; stretch *= 2) {
+    char *other = derive_on(3, stretch, step, flags, word, length, steps);
+    assert_string_equal(other, result);
+    free(other);
+  }
   return result;
 }
 
@@ -202,6 +222,36 @@ static void long_branches(void **state) {
   free(word);
 }
 
+// Fails at D, after a while, and at E.
+static void step_failing(LsysScan *scan, LsysStream *out) {
+  for (; scan->sym < scan->end; scan->sym++) {
+    if (!grammar_has_room(out, scan->run->grammar)) lsys_flush(out);
+    if (*scan->sym == D) usleep(20000);
+    if (*scan->sym == D || *scan->sym == E) lsys_fail(scan->run, "met %c", letters[*scan->sym]);
+    *out->sym++ = *scan->sym;
+  }
+}
+
+// Of several errors the first one in the word is told, and no other.
+static void errors_in_order(void **state) {
+  (void)state;
+  const char *word = "AAAAAAAADAAAEAAEAAAAAAAAAAEAAAEAAA";
+  for (uint64_t steps = 1; steps <= 2; steps++) {
+    FILE *said = tmpfile();
+    int screen = dup(STDERR_FILENO);
+    dup2(fileno(said), STDERR_FILENO);
+    char *result = derive_on(3, 2, step_failing, 0, word, strlen(word), steps);
+    dup2(screen, STDERR_FILENO);
+    close(screen);
+    assert_null(result);
+    char text[100] = "";
+    rewind(said);
+    text[fread(text, 1, sizeof text - 1, said)] = 0;
+    fclose(said);
+    assert_string_equal(text, "lsys: error: met D\n");
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(branches_in_contexts),
@@ -209,6 +259,7 @@ int main(void) {
     cmocka_unit_test(signals),
     cmocka_unit_test(rings),
     cmocka_unit_test(long_branches),
+    cmocka_unit_test(errors_in_order),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

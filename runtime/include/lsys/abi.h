@@ -127,6 +127,7 @@ enum {
   LSYS_GRAMMAR_RING = 256,         // first and last module are neighbours
   LSYS_GRAMMAR_QUERIES = 1024,     // queries or communication modules: lsys_look before each step
   LSYS_GRAMMAR_ORDERED = 512,      // pseudo-productions, a cut, sub-L-systems: a step goes through the word in order
+  LSYS_GRAMMAR_LETTERS = 2048,     // `step` is lsys_step_letters: it takes whole segments
 };
 
 // What `~NAME` draws. Meshes are read when the grammar is compiled.

@@ -98,6 +98,9 @@ struct LsysScan {
   uint8_t *code;    // lsys_step_letters: of each module
   uint32_t *aside;  //   and rows put aside
   size_t code_room, aside_room;
+  uint32_t behind_kind;    //   the next seen module behind the segment,
+  const uint32_t *behind;  //   and behind branches that it leaves open, innermost last
+  size_t behind_depth;
 };
 
 // At the beginning of a seen module's rewriting, compiled code sets ahead_known = 0 and, in a ring, counts the module
@@ -165,7 +168,7 @@ typedef struct LsysLetters {
 
 struct LsysStream;
 
-// Rewrites the whole word from scan->sym to scan->end.
+// Rewrites a whole segment, from scan->sym to scan->end.
 void lsys_step_letters(LsysScan *scan, struct LsysStream *out, const LsysLetters *letters);
 
 #endif

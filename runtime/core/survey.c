@@ -1,0 +1,416 @@
+// survey.c -- see survey.h. First the brackets of a segment that have no
+// partner in it are found, then what stands nearest to them on their axes;
+// letters that cannot matter are only counted, block by block. Joining costs
+// what there are such brackets.
+#include "core/survey.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define INLINE static inline __attribute__((always_inline))
+
+enum { BLOCK = 32 };  // letters that are looked at together
+
+// What `[` saves on the path.
+struct SurveyLevel {
+  LsysSkip *skip;
+  uint32_t fresh;
+};
+
+INLINE uint32_t symbol(const uint8_t *at, bool wide) {
+  uint16_t pair;
+  if (!wide) return *at;
+  memcpy(&pair, at, sizeof pair);
+  return pair;
+}
+
+static uint32_t window(const ScanTables *tables) {
+  return tables->grammar->left_window;
+}
+
+static void add(LsysRun *run, SurveyBrackets *to, SurveyBracket bracket) {
+  to->at = scan_array(run, to->at, &to->room, to->count + 1, sizeof *to->at);
+  to->at[to->count++] = bracket;
+}
+
+// ---- one segment -------------------------------------------------------------
+
+static bool has_blocks(const ScanTables *tables) {
+  return !tables->wide && tables->open != LSYS_NO_MODULE && tables->close != LSYS_NO_MODULE;
+}
+
+// How many brackets there are among BLOCK letters.
+INLINE void count_brackets(const uint8_t *at, uint8_t open, uint8_t close, size_t *opens, size_t *closes) {
+  uint8_t o = 0, c = 0;
+  for (int i = 0; i < BLOCK; i++) {
+    o = (uint8_t)(o + (at[i] == open));
+    c = (uint8_t)(c + (at[i] == close));
+  }
+  *opens = o;
+  *closes = c;
+}
+
+// Where no branch can end that began before the segment, blocks are only counted.
+static void find_closes(Survey *survey, const ScanTables *tables, LsysRun *run, const LsysSegment *segment) {
+  const uint8_t *at = segment->sym, *end = segment->end, width = (uint8_t)(1 + tables->wide);
+  size_t opens, closes;
+  ptrdiff_t depth = 0;
+  while (at < end) {
+    bool block = has_blocks(tables) && end - at >= BLOCK;
+    if (block) {
+      count_brackets(at, (uint8_t)tables->open, (uint8_t)tables->close, &opens, &closes);
+      if (closes <= (size_t)depth) {
+        depth += (ptrdiff_t)opens - (ptrdiff_t)closes;
+        at += BLOCK;
+        continue;
+      }
+    }
+    for (const uint8_t *stop = block ? at + BLOCK : end; at < stop; at += width) {
+      depth += tables->turn[symbol(at, tables->wide)];
+      if (depth >= 0) continue;
+      depth = 0;
+      add(run, &survey->closes, (SurveyBracket){.sym = at});
+    }
+  }
+}
+
+static void reverse(SurveyBrackets *brackets) {
+  for (size_t i = 0, j = brackets->count; i + 1 < j; i++) {
+    SurveyBracket other = brackets->at[--j];
+    brackets->at[j] = brackets->at[i];
+    brackets->at[i] = other;
+  }
+}
+
+// The same from the end: where no branch can begin that ends behind the segment.
+static void find_opens(Survey *survey, const ScanTables *tables, LsysRun *run, const LsysSegment *segment) {
+  const uint8_t *at = segment->end, *begin = segment->sym, width = (uint8_t)(1 + tables->wide);
+  size_t opens, closes;
+  ptrdiff_t depth = 0;
+  while (at > begin) {
+    bool block = has_blocks(tables) && at - begin >= BLOCK;
+    if (block) {
+      count_brackets(at - BLOCK, (uint8_t)tables->open, (uint8_t)tables->close, &opens, &closes);
+      if (opens <= (size_t)depth) {
+        depth += (ptrdiff_t)closes - (ptrdiff_t)opens;
+        at -= BLOCK;
+        continue;
+      }
+    }
+    for (const uint8_t *stop = block ? at - BLOCK : begin; at > stop;) {
+      at -= width;
+      depth -= tables->turn[symbol(at, tables->wide)];
+      if (depth >= 0) continue;
+      depth = 0;
+      add(run, &survey->opens, (SurveyBracket){.sym = at});
+    }
+  }
+  reverse(&survey->opens);
+}
+
+// The places of arguments behind the brackets, which stand in order.
+static void find_arguments(Survey *survey, const ScanTables *tables, const LsysSegment *segment) {
+  SurveyBrackets *lists[] = {&survey->closes, &survey->opens};
+  const uint8_t *at = segment->sym, width = (uint8_t)(1 + tables->wide);
+  const double *arg = segment->arg;
+  for (int l = 0; l < 2; l++)
+    for (size_t i = 0; i < lists[l]->count; i++) {
+      for (; at <= lists[l]->at[i].sym; at += width) arg += tables->arity[symbol(at, tables->wide)];
+      lists[l]->at[i].arg = arg;
+    }
+}
+
+// All in one, with skips of the branches that end here.
+INLINE void find_branches(Survey *survey, SurveyBracket *stack, const ScanTables *tables, LsysRun *run,
+                          const LsysSegment *segment, uint32_t number, bool wide) {
+  const double *arg = segment->arg;
+  size_t top = 0;
+  uint32_t open = 0;
+  for (const uint8_t *at = segment->sym; at < segment->end; at += 1 + wide) {
+    uint32_t kind = symbol(at, wide);
+    arg += tables->arity[kind];
+    if (kind == tables->open)
+      stack[top++] = (SurveyBracket){at, arg, open++};
+    else if (kind == tables->close && top)
+      segment->skip[stack[--top].open] = (LsysSkip){at + 1 + wide, arg, number, open};
+    else if (kind == tables->close)
+      add(run, &survey->closes, (SurveyBracket){at, arg, open});
+  }
+  for (size_t i = 0; i < top; i++) add(run, &survey->opens, stack[i]);
+}
+
+static void find(Survey *survey, SurveyStack *stack, const ScanTables *tables, LsysRun *run, const LsysSegment *segment,
+                 uint32_t number) {
+  if (segment->skip) {
+    size_t modules = (size_t)(segment->end - segment->sym) / (1u + tables->wide);
+    stack->at = scan_array(run, stack->at, &stack->room, modules + 1, sizeof *stack->at);
+    if (tables->wide)
+      find_branches(survey, stack->at, tables, run, segment, number, true);
+    else
+      find_branches(survey, stack->at, tables, run, segment, number, false);
+    return;
+  }
+  find_closes(survey, tables, run, segment);
+  find_opens(survey, tables, run, segment);
+  if (tables->parametric) find_arguments(survey, tables, segment);
+}
+
+// Skips letters of finished branches, `depth` of which are around the place: forward, or back.
+static const uint8_t *skip_ahead(const ScanTables *tables, const uint8_t *at, const uint8_t *end, size_t *depth) {
+  size_t opens, closes;
+  for (; end - at >= BLOCK; at += BLOCK) {
+    count_brackets(at, (uint8_t)tables->open, (uint8_t)tables->close, &opens, &closes);
+    if (closes >= *depth) break;
+    *depth += opens - closes;
+  }
+  return at;
+}
+
+static const uint8_t *skip_back(const ScanTables *tables, const uint8_t *begin, const uint8_t *at, size_t *depth) {
+  size_t opens, closes;
+  for (; at - begin >= BLOCK; at -= BLOCK) {
+    count_brackets(at - BLOCK, (uint8_t)tables->open, (uint8_t)tables->close, &opens, &closes);
+    if (opens >= *depth) break;
+    *depth += closes - opens;
+  }
+  return at;
+}
+
+// The last seen modules of an axis between begin and at, which no branch enters or leaves: at most the window, and at
+// least whether there is one.
+static uint32_t look_back(const ScanTables *tables, const uint8_t *begin, const uint8_t *at, const double *arg,
+                          LsysNeighbour *near) {
+  const uint8_t *class = tables->grammar->views->context_class;
+  uint32_t count = 0, most = window(tables) ? window(tables) : 1;
+  bool skips = has_blocks(tables) && !tables->parametric;
+  const uint8_t *next = at;  // where it is worth trying to skip
+  size_t depth = 0;
+  while (at > begin && count < most) {
+    if (skips && depth && at <= next) {
+      at = skip_back(tables, begin, at, &depth);
+      next = at - BLOCK;
+    }
+    at -= 1 + tables->wide;
+    uint32_t kind = symbol(at, tables->wide);
+    arg -= tables->arity[kind];
+    if (class[kind] == LSYS_CLASS_CLOSE) depth++;
+    if (class[kind] == LSYS_CLASS_OPEN) depth--;
+    if (class[kind] != LSYS_CLASS_SEEN || depth) continue;
+    if (count < window(tables)) near[count] = (LsysNeighbour){.kind = kind, .arg = arg};
+    count++;
+  }
+  return count;
+}
+
+static void find_near(Survey *survey, const ScanTables *tables, LsysRun *run, const LsysSegment *segment,
+                      const double *end) {
+  const SurveyBrackets *closes = &survey->closes, *opens = &survey->opens;
+  size_t frames = opens->count + 1, width = 1 + (size_t)tables->wide;
+  survey->near = scan_array(run, survey->near, &survey->near_room, frames * window(tables), sizeof *survey->near);
+  survey->near_count = scan_array(run, survey->near_count, &survey->count_room, frames, sizeof *survey->near_count);
+  const uint8_t *begin = closes->count ? closes->at[closes->count - 1].sym + width : segment->sym;
+  for (size_t f = 0; f < frames; f++) {
+    bool last = f == opens->count;
+    const uint8_t *at = last ? segment->end : opens->at[f].sym;
+    const double *arg = last ? end : opens->at[f].arg - tables->arity[tables->open];
+    survey->near_count[f] = look_back(tables, begin, at, arg, survey->near + f * window(tables));
+    begin = at + width;
+  }
+}
+
+static uint32_t look_ahead(const ScanTables *tables, const uint8_t *at, const uint8_t *end) {
+  const uint8_t *class = tables->grammar->views->context_class;
+  const uint8_t *next = at;  // where it is worth trying to skip
+  size_t depth = 0;
+  for (; at < end; at++) {
+    if (depth && at >= next && has_blocks(tables)) {
+      at = skip_ahead(tables, at, end, &depth);
+      next = at + BLOCK;
+    }
+    if (class[*at] == LSYS_CLASS_CLOSE) depth--;
+    if (class[*at] == LSYS_CLASS_SEEN && !depth) return *at;
+    if (class[*at] == LSYS_CLASS_OPEN) depth++;
+  }
+  return LSYS_NO_MODULE;
+}
+
+static void find_next(Survey *survey, const ScanTables *tables, LsysRun *run, const LsysSegment *segment) {
+  const SurveyBrackets *closes = &survey->closes, *opens = &survey->opens;
+  survey->next = scan_array(run, survey->next, &survey->next_room, closes->count + 1, sizeof *survey->next);
+  for (size_t c = 0; c <= closes->count; c++) {
+    const uint8_t *begin = c ? closes->at[c - 1].sym + 1 : segment->sym;
+    const uint8_t *end = c < closes->count ? closes->at[c].sym : opens->count ? opens->at[0].sym : segment->end;
+    survey->next[c] = look_ahead(tables, begin, end);
+  }
+}
+
+void survey_segment(Survey *survey, SurveyStack *stack, const ScanTables *tables, LsysRun *run,
+                    const LsysSegment *segment, uint32_t number, const double *end) {
+  survey->closes.count = survey->opens.count = 0;
+  if (tables->open != LSYS_NO_MODULE || tables->close != LSYS_NO_MODULE)
+    find(survey, stack, tables, run, segment, number);
+  find_near(survey, tables, run, segment, end);
+  if (tables->grammar->flags & LSYS_GRAMMAR_LETTERS) find_next(survey, tables, run, segment);
+}
+
+void survey_free(Survey *survey, LsysRun *run) {
+  scan_array_free(run, survey->closes.at, survey->closes.room, sizeof *survey->closes.at);
+  scan_array_free(run, survey->opens.at, survey->opens.room, sizeof *survey->opens.at);
+  scan_array_free(run, survey->near, survey->near_room, sizeof *survey->near);
+  scan_array_free(run, survey->near_count, survey->count_room, sizeof *survey->near_count);
+  scan_array_free(run, survey->next, survey->next_room, sizeof *survey->next);
+}
+
+void survey_stack_free(SurveyStack *stack, LsysRun *run) {
+  scan_array_free(run, stack->at, stack->room, sizeof *stack->at);
+}
+
+// ---- the path ----------------------------------------------------------------
+
+// Where the path stands between two segments.
+typedef struct Path {
+  SurveyJoin *join;
+  LsysRun *run;
+  uint32_t window;
+  LsysNeighbour *left;
+  uint32_t fresh;
+  size_t depth;
+  size_t windows, freshes;  // used by borders
+} Path;
+
+static void *copy(void *to, const void *from, size_t count, size_t size) {
+  return count ? memcpy(to, from, count * size) : to;
+}
+
+static void forget(Path *path) {
+  for (uint32_t i = 0; i < path->window; i++) path->left[i] = (LsysNeighbour){.kind = LSYS_NO_MODULE};
+  path->fresh = 0;
+}
+
+static void push(Path *path, LsysSkip *skip) {
+  SurveyJoin *join = path->join;
+  size_t at = path->depth * path->window;
+  join->levels = scan_array(path->run, join->levels, &join->level_room, path->depth + 1, sizeof *join->levels);
+  join->saved = scan_array(path->run, join->saved, &join->saved_room, at + path->window, sizeof *join->saved);
+  join->levels[path->depth++] = (struct SurveyLevel){skip, path->fresh};
+  copy(join->saved + at, path->left, path->window, sizeof *path->left);
+  path->fresh = 1;
+}
+
+static void pop(Path *path, LsysSkip skip) {
+  if (!path->depth) {
+    forget(path);
+    return;
+  }
+  const struct SurveyLevel *level = &path->join->levels[--path->depth];
+  if (level->skip) *level->skip = skip;
+  path->fresh = level->fresh;
+  copy(path->left, path->join->saved + path->depth * path->window, path->window, sizeof *path->left);
+}
+
+// Modules of the segment are the nearest now.
+static void pass(Path *path, const LsysNeighbour *near, uint32_t count) {
+  if (count) path->fresh = 0;
+  if (count > path->window) count = path->window;
+  for (uint32_t i = path->window; i-- > count;) path->left[i] = path->left[i - count];
+  copy(path->left, near, count, sizeof *near);
+}
+
+// Pointers into the arrays of all borders are offsets as long as these grow.
+static void enter(Path *path, ScanBorder *border, size_t closes) {
+  SurveyJoin *join = path->join;
+  border->depth = closes < path->depth ? closes : path->depth;
+  border->fresh = path->fresh;
+  size_t first = path->depth - border->depth, saved = border->depth * path->window;
+  size_t windows = path->windows + path->window + saved, freshes = path->freshes + border->depth;
+  join->windows = scan_array(path->run, join->windows, &join->window_room, windows, sizeof *join->windows);
+  join->fresh = scan_array(path->run, join->fresh, &join->fresh_room, freshes, sizeof *join->fresh);
+  LsysNeighbour *to = join->windows + path->windows;
+  copy(to, path->left, path->window, sizeof *to);
+  copy(to + path->window, join->saved + first * path->window, saved, sizeof *to);
+  for (size_t i = 0; i < border->depth; i++) join->fresh[path->freshes + i] = (uint8_t)join->levels[first + i].fresh;
+  path->windows = windows;
+  path->freshes = freshes;
+}
+
+static void follow_path(Path *path, const Survey *surveys, const ScanTables *tables, const LsysSegment *segments,
+                        uint32_t count, ScanBorder *borders) {
+  size_t width = 1 + (size_t)tables->wide;
+  for (uint32_t i = 0; i < count; i++) {
+    const Survey *survey = &surveys[i];
+    enter(path, &borders[i], survey->closes.count);
+    for (size_t c = 0; c < survey->closes.count; c++) {
+      const SurveyBracket *close = &survey->closes.at[c];
+      pop(path, (LsysSkip){close->sym + width, close->arg, i, close->open});
+    }
+    for (size_t f = 0; f <= survey->opens.count; f++) {
+      if (f) push(path, segments[i].skip ? &segments[i].skip[survey->opens.at[f - 1].open] : NULL);
+      pass(path, survey->near + f * path->window, survey->near_count[f]);
+    }
+  }
+  const LsysSegment *last = &segments[count - 1];  // an unclosed branch goes on to the end of the word
+  while (path->depth) pop(path, (LsysSkip){last->end, NULL, count - 1, (uint32_t)last->skip_count});
+}
+
+static void place_borders(const SurveyJoin *join, uint32_t count, uint32_t width, ScanBorder *borders) {
+  const LsysNeighbour *windows = join->windows;
+  const uint8_t *fresh = join->fresh;
+  for (uint32_t i = 0; i < count; i++) {
+    borders[i].left = windows;
+    borders[i].saved = width ? windows + width : windows;
+    borders[i].saved_fresh = fresh;
+    windows += width * (borders[i].depth + 1);
+    fresh += borders[i].depth;
+  }
+}
+
+// ---- the path ahead ------------------------------------------------------------
+
+// Words of letters: from the end to the beginning, kinds only.
+static void follow_back(SurveyJoin *join, const Survey *surveys, LsysRun *run, uint32_t count, ScanBorder *borders) {
+  size_t depth = 0, used = 0;
+  uint32_t next = LSYS_NO_MODULE;
+  for (uint32_t i = count; i-- > 0;) {
+    const Survey *survey = &surveys[i];
+    size_t opens = survey->opens.count, closes = survey->closes.count;
+    borders[i].behind_kind = next;
+    borders[i].behind_depth = opens < depth ? opens : depth;
+    join->behind = scan_array(run, join->behind, &join->behind_room, used + opens, sizeof *join->behind);
+    join->kinds = scan_array(run, join->kinds, &join->kind_room, depth + closes, sizeof *join->kinds);
+    copy(join->behind + used, join->kinds + depth - borders[i].behind_depth, borders[i].behind_depth,
+         sizeof *join->kinds);
+    used += borders[i].behind_depth;
+    for (size_t o = 0; o < opens; o++) next = depth ? join->kinds[--depth] : LSYS_NO_MODULE;
+    if (survey->next[closes] != LSYS_NO_MODULE) next = survey->next[closes];
+    for (size_t c = closes; c-- > 0;) {
+      join->kinds[depth++] = next;
+      next = survey->next[c];
+    }
+  }
+  const uint32_t *behind = join->behind;
+  for (uint32_t i = count; i-- > 0;) {
+    borders[i].behind = behind;
+    behind += borders[i].behind_depth;
+  }
+}
+
+void survey_join(SurveyJoin *join, const Survey *surveys, const ScanTables *tables, LsysRun *run,
+                 const LsysSegment *segments, uint32_t count, ScanBorder *borders) {
+  uint32_t width = window(tables);
+  join->left = scan_array(run, join->left, &join->left_room, width, sizeof *join->left);
+  Path path = {.join = join, .run = run, .window = width, .left = join->left};
+  forget(&path);
+  follow_path(&path, surveys, tables, segments, count, borders);
+  place_borders(join, count, width, borders);
+  if (tables->grammar->flags & LSYS_GRAMMAR_LETTERS) follow_back(join, surveys, run, count, borders);
+}
+
+void survey_join_free(SurveyJoin *join, LsysRun *run) {
+  scan_array_free(run, join->left, join->left_room, sizeof *join->left);
+  scan_array_free(run, join->levels, join->level_room, sizeof *join->levels);
+  scan_array_free(run, join->saved, join->saved_room, sizeof *join->saved);
+  scan_array_free(run, join->windows, join->window_room, sizeof *join->windows);
+  scan_array_free(run, join->fresh, join->fresh_room, sizeof *join->fresh);
+  scan_array_free(run, join->behind, join->behind_room, sizeof *join->behind);
+  scan_array_free(run, join->kinds, join->kind_room, sizeof *join->kinds);
+}
