@@ -1,6 +1,7 @@
 // help.c -- usage and reference texts, read from the tables that the passes read.
 #include "driver/help.h"
 #include "driver/manual.h"
+#include "driver/report.h"
 #include "lsys/help.h"
 
 #include <string.h>
@@ -130,5 +131,8 @@ bool help_topic(FILE *out, const char *name) {
   lsys_help_tables(&word);
   warning_rows(&word);
   option_entries(&word);
-  return word.any;
+  if (word.any) return true;
+  for (int i = 0; help_topic_name(i); i++) lsys_help_near(&word, help_topic_name(i));
+  if (*word.near) return report_error("there is no help on `%s`; did you mean `%s`?", name, word.near);
+  return report_error("there is no help on `%s`; `lsysc help` lists commands and topics", name);
 }

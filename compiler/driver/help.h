@@ -11,7 +11,7 @@ void help_short(FILE *out);
 void help_command(FILE *out, Command command);
 
 // `lsysc help NAME`: a command, a topic such as turtle, functions, warnings, man, bash, or anything in the tables.
-// False: nothing is called that.
+// False: nothing is called that, and a message said so.
 bool help_topic(FILE *out, const char *name);
 
 // The name of the i-th command or topic that `lsysc help` takes; NULL: there are no more.

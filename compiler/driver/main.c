@@ -194,7 +194,7 @@ static int help(const Options *options) {
   if (options->command != COMMAND_HELP || options->files.count == 0)
     help_command(stdout, options->command == COMMAND_HELP ? COMMAND_COMPILE : options->command);
   else if (!help_topic(stdout, options->files.at[0]))
-    return report_error("there is no help on `%s`; `lsysc help` lists commands and topics", options->files.at[0]), EXIT_FAILURE;
+    return EXIT_FAILURE;
   return printed() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 

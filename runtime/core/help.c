@@ -43,8 +43,23 @@ static bool is_named(const char *names, const char *word) {
   return false;
 }
 
+void lsys_help_near(LsysHelp *help, const char *names) {
+  while (*names) {
+    size_t length = strcspn(names, " ");
+    char name[sizeof help->near];
+    const char *candidates[] = {name, help->near};
+    snprintf(name, sizeof name, "%.*s", (int)length, names);
+    if (length < sizeof name && lsys_nearest(help->only, candidates, *help->near ? 2 : 1) == name)
+      memcpy(help->near, name, length + 1);
+    names += length + (names[length] == ' ');
+  }
+}
+
 void lsys_help_entry(LsysHelp *help, const char *names, const char *left, const char *doc) {
-  if (help->only && !is_named(names, help->only)) return;
+  if (help->only && !is_named(names, help->only)) {
+    lsys_help_near(help, names);
+    return;
+  }
   if (help->title) fprintf(help->to, "%s%s\n", help->any ? "\n" : "", help->title);
   help->title = NULL;
   help->any = true;
@@ -201,8 +216,13 @@ bool lsys_help(FILE *to, const LsysGrammar *grammar, const char *subject) {
   }
   LsysHelp word = {.to = to, .only = subject};
   if (lsys_help_subject(to, subject)) return true;
+  for (size_t i = 0; i < SUBJECTS; i++) lsys_help_near(&word, subjects[i].name);
   lsys_help_tables(&word);
   if (word.any) return true;
+  if (*word.near) {
+    lsys_error("there is no help on '%s'; did you mean '%s'?", subject, word.near);
+    return false;
+  }
   lsys_error("there is no help on '%s'; there is on: formats, turtle, functions, operators, settings, and on every "
              "name and symbol in them",
              subject);

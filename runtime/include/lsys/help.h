@@ -12,6 +12,7 @@ typedef struct LsysHelp {
   const char *only;   // NULL: all rows
   const char *title;  // of the rows to come, not printed yet
   bool any;           // a row was printed
+  char near[32];      // the name spelt most like the one that is asked for; "": none is
 } LsysHelp;
 
 // Begins a table. Its title is printed before its first row.
@@ -19,6 +20,9 @@ void lsys_help_title(LsysHelp *help, const char *title);
 
 // A row, if it is about one of the names (separated by blanks) that is asked for.
 void lsys_help_entry(LsysHelp *help, const char *names, const char *left, const char *doc);
+
+// Remembers that of these names that is spelt most like the one that is asked for.
+void lsys_help_near(LsysHelp *help, const char *names);
 
 // The table of one subject: formats, turtle, functions, operators, settings. False: there is no such subject.
 bool lsys_help_subject(FILE *to, const char *subject);

@@ -1,13 +1,13 @@
 # Help on a single name or symbol comes from whichever tables know it, from lsysc and from a compiled program.
 printf 'axiom: A\nsteps: 1\n' > a.lsys
 lsysc a.lsys
-for word in + nran colours: camera glb unreachable dump maximum_depth F_l nothing; do
+for word in + nran colours: camera glb unreachable dump maximum_depth F_l turtl nrand zzzzzz; do
   echo "--- $word"
   lsysc help "$word" 2>&1
 done
 echo "--- program"
 ./a --help @Gs
-./a --help nothing 2>&1
+./a --help turtl 2>&1
 lsysc run --help | grep -c '^  --'
 ./a -h | head -1
 lsysc -h | head -1
