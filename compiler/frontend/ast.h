@@ -161,7 +161,7 @@ typedef VEC(AstStatement) AstStatements;
 // What a dialect does differently in meaning; set by its parser (LANGUAGE.md section 7).
 typedef struct AstRules {
   const char *dialect;            // "native", "cpfg", "fractint", "mws"
-  bool literal_context_brackets;  // cpfg: "]" and "=" in right contexts
+  bool literal_context_brackets;  // cpfg: "]" in right contexts
   bool unweighted_counts_one;     // cpfg: no weight among weighted ones is 1
   bool last_ignore_counts;        // cpfg
   bool idle_values;               // cpfg: a statement may compute a value that nothing uses

@@ -155,9 +155,9 @@ static PatternKind refuse(Check *check, const AstModule *module, Side side) {
 static PatternKind right_kind(const Check *check, const AstModule *module) {
   if (is_symbol(module, "@]")) return PATTERN_END;
   if (is_symbol(module, "[")) return PATTERN_OPEN;
-  if (check->ast->rules.literal_context_brackets) return PATTERN_MODULE;
-  if (is_symbol(module, "]")) return PATTERN_CLOSE;
-  return is_symbol(module, "=") ? PATTERN_REST : PATTERN_MODULE;
+  if (is_symbol(module, "=")) return PATTERN_REST;
+  bool skips = is_symbol(module, "]") && !check->ast->rules.literal_context_brackets;
+  return skips ? PATTERN_CLOSE : PATTERN_MODULE;
 }
 
 static PatternKind pattern_kind(Check *check, const AstModule *module, Side side, bool last, bool *refused) {

@@ -167,7 +167,7 @@ static const char *symbol_of(const FmtWriter *writer, const char *symbol) {
   size_t length = strlen(symbol);
   if (!writer->renamed) return symbol;
   bool known = *symbol != '@' || strcmp(symbol, "@]") == 0 || trie_find(writer->names, symbol, length);
-  if (known && strcmp(symbol, "=") != 0) return symbol;
+  if (known && (writer->skips || strcmp(symbol, "=") != 0)) return symbol;
   void **place = trie_at(writer->renamed, symbol, length);
   if (!*place) {
     char *name = arena_printf(writer->arena, "N_%u", (unsigned char)*symbol);
@@ -237,8 +237,8 @@ void fmt_word(const FmtWriter *writer, const AstWord *word) {
   print_word(writer, word, false);
 }
 
-// A literal `]` asks that the branch end there: `@]`, and `]` again if it was opened in the context. Behind the end
-// of the module's own branch nothing can be asked for here.
+// A literal `]` asks that the branch end there: `@]`, unless `=` skipped its rest, and `]` again if it was opened in
+// the context. Behind the end of the module's own branch nothing can be asked for here.
 void fmt_right(const FmtWriter *writer, const AstWord *word) {
   if (!writer->renamed) {
     fmt_word(writer, word);
@@ -250,12 +250,16 @@ void fmt_right(const FmtWriter *writer, const AstWord *word) {
     const AstModule *module = &word->modules.at[i];
     bool close = strcmp(module->symbol, "]") == 0;
     depth += strcmp(module->symbol, "[") == 0;
-    if (close) *VEC_PUSH(writer->arena, &native.modules) = (AstModule){.symbol = "@]", .span = module->span};
+    bool skipped = i > 0 && strcmp(word->modules.at[i - 1].symbol, "=") == 0;
+    if (close && !skipped)
+      *VEC_PUSH(writer->arena, &native.modules) = (AstModule){.symbol = "@]", .span = module->span};
     if (close && depth == 0) break;
     depth -= close;
     *VEC_PUSH(writer->arena, &native.modules) = *module;
   }
-  fmt_word(writer, &native);
+  FmtWriter skipping = *writer;
+  skipping.skips = true;
+  fmt_word(&skipping, &native);
   if (native.modules.count < word->modules.count) fputs(" /* cpfg looks on behind the branch */", writer->out);
 }
 

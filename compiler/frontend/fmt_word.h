@@ -10,6 +10,7 @@ typedef struct FmtWriter {
   FILE *out;
   const SourceFile *file;
   Trie *names;    // symbols of more than one character: declared ones and the turtle's
+  bool skips;     // in a right context, where `=` is no module
   Trie *renamed;  // cpfg: symbols that are none here, and what they become; else NULL
 } FmtWriter;
 

@@ -198,7 +198,7 @@ static bool step_module(const Match *match, const Pattern *pattern, AxisPlace *p
   return true;
 }
 
-// In cpfg a ] in a context is a module like others: it has to stand there.
+// In cpfg a ] in a context is a module like others: it has to stand there, unless `=` skipped what stood before it.
 static bool is_literal_close(const Match *match, const Pattern *pattern) {
   return pattern->what == PATTERN_MODULE && pattern->kind == match->links->program->close;
 }
@@ -252,7 +252,7 @@ static bool match_axis(Match *match, size_t p, size_t end, AxisPlace place) {
     switch (pattern->what) {
     case PATTERN_MODULE: {
       bool close = is_literal_close(match, pattern);
-      if (close ? !at_close(match, &place) : !step_module(match, pattern, &place)) return false;
+      if (close ? !place.rest && !at_close(match, &place) : !step_module(match, pattern, &place)) return false;
       place.rest |= close;
       break;
     }
