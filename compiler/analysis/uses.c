@@ -25,7 +25,8 @@ unsigned uses_expr(const Uses *uses, const Expr *expr) {
     break;
   case EXPR_CALL:
     if (lsys_functions[expr->function].how == LSYS_FN_RANDOM) found = USES_DRAW;
-    if (lsys_functions[expr->function].how == LSYS_FN_EFFECT) found = USES_EFFECT;
+    if (lsys_functions[expr->function].how == LSYS_FN_EFFECT || lsys_functions[expr->function].how == LSYS_FN_FILE)
+      found = USES_EFFECT;
     break;
   default:
     break;

@@ -171,20 +171,50 @@ static LLVMValueRef call_random(Scope *scope, const Expr *expr, LLVMValueRef *ar
   return ir_call(ir, function, all, expr->count + 2);
 }
 
-// printf(format, values...): the values in a row.
+static LLVMValueRef literal(Ir *ir, const char *text) {
+  return ir_data(ir, LLVMConstStringInContext2(ir->context, text, strlen(text), false), "text");
+}
+
+// printf(format, values...), fprintf(file, format, values...): the values in a row.
 static LLVMValueRef call_printf(Scope *scope, const Expr *expr) {
   Ir *ir = scope->ir;
-  uint32_t count = expr->count - 1;
+  bool to_file = expr->function == LSYS_FN_FPRINTF;
+  uint32_t first = to_file ? 2 : 1, count = expr->count - first;
+  LLVMValueRef file = to_file ? expr_value(scope, expr->args[0]) : NULL;
   LLVMValueRef values = ir_local(ir, ir->types.f64, count + 1, "printed");
   for (uint32_t i = 0; i < count; i++)
-    LLVMBuildStore(ir->builder, expr_value(scope, expr->args[i + 1]),
+    LLVMBuildStore(ir->builder, expr_value(scope, expr->args[first + i]),
                    ir_advance(ir, ir->types.f64, values, ir_int(ir, i)));
-  const char *text = expr->args[0]->text;
-  LLVMValueRef format = ir_data(ir, LLVMConstStringInContext2(ir->context, text, strlen(text), false), "format");
-  LLVMTypeRef types[] = {ir->types.ptr, ir->types.ptr, ir->types.ptr, ir->types.i32};
-  LLVMValueRef args[] = {scope->run, format, values, LLVMConstInt(ir->types.i32, count, false)};
-  ir_call(ir, ir_runtime(ir, "lsys_print", ir->types.none, types, 4, IR_ANY), args, 4);
+  LLVMValueRef format = literal(ir, expr->args[first - 1]->text);
+  LLVMTypeRef types[] = {ir->types.ptr, ir->types.f64, ir->types.ptr, ir->types.ptr, ir->types.i32};
+  LLVMValueRef args[] = {scope->run, file, format, values, LLVMConstInt(ir->types.i32, count, false)};
+  if (to_file) {
+    ir_call(ir, ir_runtime(ir, "lsys_print_to", ir->types.none, types, 5, IR_ANY), args, 5);
+  } else {
+    types[1] = types[0];
+    args[1] = args[0];
+    ir_call(ir, ir_runtime(ir, "lsys_print", ir->types.none, types + 1, 4, IR_ANY), args + 1, 4);
+  }
   return ir_double(ir, 0);
+}
+
+static LLVMValueRef call_fopen(Scope *scope, const Expr *expr) {
+  Ir *ir = scope->ir;
+  LLVMTypeRef types[] = {ir->types.ptr, ir->types.ptr, ir->types.ptr};
+  LLVMValueRef args[] = {scope->run, literal(ir, expr->args[0]->text), literal(ir, expr->args[1]->text)};
+  return ir_call(ir, ir_runtime(ir, "lsys_fopen", ir->types.f64, types, 3, IR_ANY), args, 3);
+}
+
+// fclose(f), fscanf(f)
+static LLVMValueRef call_file(Scope *scope, const Expr *expr) {
+  Ir *ir = scope->ir;
+  bool reads = expr->function == LSYS_FN_FSCANF;
+  LLVMTypeRef types[] = {ir->types.ptr, ir->types.f64};
+  LLVMValueRef args[] = {scope->run, expr_value(scope, expr->args[0])};
+  LLVMValueRef function =
+    ir_runtime(ir, reads ? "lsys_fscanf" : "lsys_fclose", reads ? ir->types.f64 : ir->types.none, types, 2, IR_ANY);
+  LLVMValueRef value = ir_call(ir, function, args, 2);
+  return reads ? value : ir_double(ir, 0);
 }
 
 // stop(), stop(n): n is any value that holds.
@@ -200,7 +230,9 @@ static LLVMValueRef call_stop(Scope *scope, const Expr *expr) {
 static LLVMValueRef call(Scope *scope, const Expr *expr) {
   Ir *ir = scope->ir;
   double number;
-  if (expr->function == LSYS_FN_PRINTF) return call_printf(scope, expr);
+  if (expr->function == LSYS_FN_PRINTF || expr->function == LSYS_FN_FPRINTF) return call_printf(scope, expr);
+  if (expr->function == LSYS_FN_FOPEN) return call_fopen(scope, expr);
+  if (expr->function == LSYS_FN_FCLOSE || expr->function == LSYS_FN_FSCANF) return call_file(scope, expr);
   if (expr->function == LSYS_FN_STOP) return call_stop(scope, expr);
   if (expr_constant(ir->program, expr, &number)) return ir_double(ir, number);
   LLVMValueRef *args = arena_array(ir->arena, expr->count, sizeof *args);

@@ -35,9 +35,13 @@ static void assign_element(Check *check, const AstExpr *target, Action *action) 
   action->index_count = (uint32_t)target->args.count;
 }
 
+static Expr *file_value(Check *check, const AstExpr *call, LsysFunction function);
+
 // The value first: a variable does not see its own first assignment.
 static void assign(Check *check, const AstAction *ast, Action *action) {
-  action->value = check_expression(check, ast->value);
+  LsysFunction function = ast->value->kind == AST_CALL ? function_named(ast->value->name) : LSYS_FN_COUNT;
+  bool file = function != LSYS_FN_COUNT && lsys_functions[function].how == LSYS_FN_FILE;
+  action->value = file ? file_value(check, ast->value, function) : check_expression(check, ast->value);
   if (ast->target->kind == AST_NAME)
     assign_name(check, ast->target, action);
   else if (ast->target->kind == AST_INDEX)
@@ -101,21 +105,28 @@ static int conversions(Check *check, const AstExpr *format) {
   return count;
 }
 
-// A text is allowed as the first argument of printf only.
+static Expr *text_expr(Check *check, const AstExpr *ast) {
+  Expr *text = ARENA_NEW(check->arena, Expr);
+  *text = (Expr){EXPR_STRING, .text = ast->text, .span = ast->span};
+  return text;
+}
+
+// printf(text, ...), fprintf(file, text, ...)
 static void print_numbers(Check *check, const AstExpr *call, Expr *result) {
-  const AstExpr *format = call->args.at[0];
+  size_t first = result->function == LSYS_FN_FPRINTF;
+  const AstExpr *format = call->args.at[first];
+  if (first) result->args[0] = check_expression(check, call->args.at[0]);
   if (format->kind != AST_STRING) {
-    diag_error(check->diag, format->span, "`printf` begins with a text in quotes: `printf(\"x = %%g\\n\", x)`");
+    diag_error(check->diag, format->span, "`%s` prints by a text in quotes: `%s\"x = %%g\\n\", x)`", call->name,
+               first ? "fprintf(f, " : "printf(");
     return;
   }
-  int wanted = conversions(check, format), given = (int)call->args.count - 1;
+  int wanted = conversions(check, format), given = (int)(call->args.count - first) - 1;
   if (wanted >= 0 && wanted != given)
     diag_error(check->diag, call->span, "the text asks for %d value%s, but %d %s given", wanted, wanted == 1 ? "" : "s",
                given, given == 1 ? "is" : "are");
-  Expr *text = ARENA_NEW(check->arena, Expr);
-  *text = (Expr){EXPR_STRING, .text = format->text, .span = format->span};
-  result->args[0] = text;
-  for (size_t i = 1; i < call->args.count; i++) result->args[i] = check_expression(check, call->args.at[i]);
+  result->args[first] = text_expr(check, format);
+  for (size_t i = first + 1; i < call->args.count; i++) result->args[i] = check_expression(check, call->args.at[i]);
 }
 
 static Expr *effect(Check *check, const AstExpr *call, LsysFunction function) {
@@ -128,7 +139,7 @@ static Expr *effect(Check *check, const AstExpr *call, LsysFunction function) {
   Expr *result = ARENA_NEW(check->arena, Expr);
   *result = (Expr){EXPR_CALL, .function = function, .count = (uint32_t)count, .span = call->span};
   result->args = arena_array(check->arena, call->args.count, sizeof(Expr *));
-  if (function == LSYS_FN_PRINTF)
+  if (function == LSYS_FN_PRINTF || function == LSYS_FN_FPRINTF)
     print_numbers(check, call, result);
   else
     result->args = check_arguments(check, &call->args);
@@ -148,10 +159,65 @@ static void compute_idly(Check *check, const AstExpr *value, Action *action) {
   action->value = expr_number(check->arena, 0, value->span);
 }
 
+// fopen("name", "mode"), fscanf(file): what an assignment gets.
+static Expr *file_value(Check *check, const AstExpr *call, LsysFunction function) {
+  bool opens = function == LSYS_FN_FOPEN;
+  const AstExprs *args = &call->args;
+  Expr *result = ARENA_NEW(check->arena, Expr);
+  *result = (Expr){EXPR_CALL, .function = function, .count = (uint32_t)args->count, .span = call->span};
+  result->args = arena_array(check->arena, args->count, sizeof(Expr *));
+  if (!opens && args->count == 1) {
+    result->args[0] = check_expression(check, args->at[0]);
+    return result;
+  }
+  bool texts = opens && args->count == 2 && args->at[0]->kind == AST_STRING && args->at[1]->kind == AST_STRING;
+  if (texts
+      && (!strcmp(args->at[1]->text, "r") || !strcmp(args->at[1]->text, "w") || !strcmp(args->at[1]->text, "a"))) {
+    for (int i = 0; i < 2; i++) result->args[i] = text_expr(check, args->at[i]);
+    return result;
+  }
+  diag_error(check->diag, call->span, "%s",
+             opens ? "`fopen` takes a file's name and \"r\", \"w\" or \"a\", both in quotes"
+                   : "as a value `fscanf(f)` is the next number of a file and takes the file alone");
+  return check->poison;
+}
+
+// fscanf(file, text, x, y, ...) reads a number into each.
+static void scan_numbers(Check *check, const AstExpr *call, Action *action) {
+  size_t count = call->args.count < 3 ? 0 : call->args.count - 2;
+  const AstExpr *format = call->args.count > 1 ? call->args.at[1] : call;
+  size_t wanted = 0, letters = 0;
+  bool plain = format->kind == AST_STRING;
+  for (const char *c = plain ? format->text : ""; *c; c++) {
+    wanted += *c == '%';
+    letters += !strchr("%lfgde \t\n", *c);
+  }
+  if (!plain || letters || !count || wanted != count) {
+    diag_error(check->diag, call->span,
+               "`fscanf` reads numbers: `fscanf(f, \"%%f %%f\", x, y)` with as many conversions as variables");
+    return;
+  }
+  *action = (Action){ACTION_IF, .value = expr_number(check->arena, 1, call->span), .span = call->span};
+  action->then.count = count;
+  action->then.at = arena_array(check->arena, count, sizeof(Action));
+  for (size_t i = 0; i < count; i++) {
+    AstExpr *read = ARENA_NEW(check->arena, AstExpr);
+    *read = *call;
+    read->args.count = 1;
+    AstAction step = {AST_ASSIGN, call->args.at[i + 2]->span, .target = call->args.at[i + 2], .value = read};
+    action->then.at[i].span = step.span;
+    assign(check, &step, &action->then.at[i]);
+  }
+}
+
 static void evaluate(Check *check, const AstExpr *value, Action *action) {
   LsysFunction function = value->kind == AST_CALL ? function_named(value->name) : LSYS_FN_COUNT;
   if (value->kind == AST_POISON) return;
-  if (function == LSYS_FN_USE_TABLE)
+  if (function == LSYS_FN_FOPEN)
+    diag_error(check->diag, value->span, "`fopen` gives the file's number, which nothing uses here: `f = fopen(...);`");
+  else if (function == LSYS_FN_FSCANF)
+    scan_numbers(check, value, action);
+  else if (function == LSYS_FN_USE_TABLE)
     use_table(check, value, action);
   else if (function == LSYS_FN_SRAND)
     seed_random(check, value, action);

@@ -142,7 +142,13 @@ static Expr *call(Check *check, const AstExpr *ast, LsysFunction function) {
   const LsysFunctionInfo *info = &lsys_functions[function];
   uint32_t site = info->how == LSYS_FN_RANDOM ? next_site(check, ast->name_span) : 0;
   int count = (int)ast->args.count;
-  Expr **args = check_arguments(check, &ast->args);
+  bool file = info->how == LSYS_FN_FILE;
+  Expr **args = file ? NULL : check_arguments(check, &ast->args);
+  if (file) {
+    diag_error(check->diag, ast->span, "`%s` can only be all of what a block assigns: `x = %s(...);`", info->name,
+               info->name);
+    return check->poison;
+  }
   if (info->how == LSYS_FN_EFFECT) {
     diag_error(check->diag, ast->span, "`%s` has no value: it is a statement of a block { ... }", info->name);
     return check->poison;
@@ -282,7 +288,8 @@ static Expr *expression(Check *check, const AstExpr *ast) {
   case AST_INDEX:
     return element(check, ast);
   case AST_STRING:
-    diag_error(check->diag, ast->span, "a text in quotes is no number; it can only stand in `printf` and `useTable`");
+    diag_error(check->diag, ast->span,
+               "a text in quotes is no number; statements such as `printf` and `useTable` take one");
     return check->poison;
   case AST_POISON:
     return check->poison;

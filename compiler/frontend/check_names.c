@@ -190,18 +190,22 @@ static void collect_array(Check *check, const AstArray *array) {
   *VEC_PUSH(check->arena, &check->arrays) = (ArrayEntry){.array = array, .span = array->span};
 }
 
+static void collect_global(Check *check, const AstExpr *target) {
+  if (target->kind != AST_NAME) return;
+  Name *name = name_intern(check, target->name);
+  if (name->global != NONE) return;
+  name->global = (uint32_t)check->globals.count;
+  *VEC_PUSH(check->arena, &check->globals) = (Value){VALUE_GLOBAL, .name = name->text, .span = target->span};
+}
+
 static void collect_globals(Check *check, const AstActions *actions) {
   if (!check_deeper(check, actions->count ? actions->at[0]->span : (Span){0, 0})) return;
   for (size_t i = 0; i < actions->count; i++) {
     const AstAction *action = actions->at[i];
-    if (action->kind == AST_ASSIGN && action->target->kind == AST_NAME) {
-      Name *name = name_intern(check, action->target->name);
-      if (name->global == NONE) {
-        name->global = (uint32_t)check->globals.count;
-        *VEC_PUSH(check->arena, &check->globals) =
-          (Value){VALUE_GLOBAL, .name = name->text, .span = action->target->span};
-      }
-    }
+    if (action->kind == AST_ASSIGN) collect_global(check, action->target);
+    bool reads = action->kind == AST_EVALUATE && action->value->kind == AST_CALL
+              && function_named(action->value->name) == LSYS_FN_FSCANF;
+    for (size_t k = 2; reads && k < action->value->args.count; k++) collect_global(check, action->value->args.at[k]);
     collect_globals(check, &action->then);
     collect_globals(check, &action->otherwise);
   }

@@ -121,21 +121,28 @@ static double fold(Scope *scope, const Expr *expr, double (*combine)(double, dou
   return result;
 }
 
-// printf(format, ...): its values stand on the frames' stack while they are collected.
+// printf(format, ...), fprintf(file, format, ...): values stand on the frames' stack while they are collected.
 static void print(Scope *scope, const Expr *expr) {
+  bool to_file = expr->function == LSYS_FN_FPRINTF;
+  double file = to_file ? evaluate(scope, expr->args[0]) : 0;
+  const char *format = expr->args[to_file]->text;
   size_t first = scope->slots;
-  for (uint32_t i = 1; i < expr->count; i++) {
+  for (uint32_t i = 1 + to_file; i < expr->count; i++) {
     double value = evaluate(scope, expr->args[i]);
     push_slot(scope, value);
   }
-  lsys_print(scope->run, expr->args[0]->text, scope->slot + first, expr->count - 1);
+  if (to_file)
+    lsys_print_to(scope->run, file, format, scope->slot + first, expr->count - 2);
+  else
+    lsys_print(scope->run, format, scope->slot + first, expr->count - 1);
   scope->slots = first;
 }
 
 static double call(Scope *scope, const Expr *expr) {
   if (expr->function == LSYS_FN_MIN) return fold(scope, expr, lsys_min);
   if (expr->function == LSYS_FN_MAX) return fold(scope, expr, lsys_max);
-  if (expr->function == LSYS_FN_PRINTF) return print(scope, expr), 0;
+  if (expr->function == LSYS_FN_PRINTF || expr->function == LSYS_FN_FPRINTF) return print(scope, expr), 0;
+  if (expr->function == LSYS_FN_FOPEN) return lsys_fopen(scope->run, expr->args[0]->text, expr->args[1]->text);
   double x = expr->count > 0 ? evaluate(scope, expr->args[0]) : 0;
   double y = expr->count > 1 ? evaluate(scope, expr->args[1]) : 0;
   switch (expr->function) {
@@ -173,6 +180,11 @@ static double call(Scope *scope, const Expr *expr) {
     return lsys_round(x);
   case LSYS_FN_SIGN:
     return lsys_sign(x);
+  case LSYS_FN_FCLOSE:
+    lsys_fclose(scope->run, x);
+    return 0;
+  case LSYS_FN_FSCANF:
+    return lsys_fscanf(scope->run, x);
   case LSYS_FN_STOP:
     scope->stopped |= expr->count == 0 || lsys_holds(x);
     return 0;

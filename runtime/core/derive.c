@@ -3,6 +3,7 @@
 #include "core/derive.h"
 
 #include "core/births.h"
+#include "core/files.h"
 #include "core/message.h"
 #include "core/parallel.h"
 #include "core/step.h"
@@ -165,6 +166,7 @@ bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar
 
 void lsys_derivation_close(LsysDerivation *derivation) {
   lsys_look_end(&derivation->worker.run);
+  lsys_files_close(&derivation->worker.run);
   lsys_memory_free(derivation->worker.memory, derivation->worker.run.value, derivation->worker.run.grammar->value_count,
                    sizeof(double));
   derivation->worker.run.value = NULL;
@@ -239,6 +241,7 @@ typedef struct Task {
 // The word flows into the sink: as it is, from the interpreter, or from compiled code.
 static bool derive(Task *task) {
   LsysRun *run = &task->worker->run;
+  lsys_files_close(run);
   const LsysGrammar *grammar = run->grammar;
   LsysStream *out = &task->writer.stream;
   if (!grammar->derive) {

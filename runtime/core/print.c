@@ -3,6 +3,7 @@
 // (and E, F, G), one for each value.
 #include "lsys/abi.h"
 
+#include "core/files.h"
 #include "core/message.h"
 
 #include <math.h>
@@ -27,7 +28,7 @@ static const char *copy_flags(const char *from, char *to) {
 }
 
 // One conversion from behind its %; returns what follows it. d prints whole numbers of any size, and nan.
-static const char *print_value(LsysRun *run, const char *from, double value) {
+static const char *print_value(LsysRun *run, FILE *to, const char *from, double value) {
   char flags[4 * LONGEST_WIDTH], format[8 * LONGEST_WIDTH];
   const char *letter = copy_flags(from, flags);
   if (!letter) lsys_fail(run, "printf: the width in %%%.20s... is too big", from);
@@ -36,7 +37,7 @@ static const char *print_value(LsysRun *run, const char *from, double value) {
   snprintf(format, sizeof format, whole ? "%%%s.0f" : "%%%s%c", flags, *letter);
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
-  fprintf(stderr, format, whole ? trunc(value) : value);
+  fprintf(to, format, whole ? trunc(value) : value);
 #pragma GCC diagnostic pop
   return letter + 1;
 }
@@ -47,13 +48,21 @@ void lsys_cut_short(LsysRun *run, uint32_t which) {
                which ? "homomorphism" : "decomposition");
 }
 
-void lsys_print(LsysRun *run, const char *format, const double *values, uint32_t count) {
+static void print(LsysRun *run, FILE *to, const char *format, const double *values, uint32_t count) {
   for (uint32_t used = 0; *format;) {
     if (*format == '%' && format[1] != '%' && used < count) {
-      format = print_value(run, format + 1, values[used++]);
+      format = print_value(run, to, format + 1, values[used++]);
       continue;
     }
     if (*format == '%' && format[1] == '%') format++;
-    fputc(*format++, stderr);
+    fputc(*format++, to);
   }
+}
+
+void lsys_print(LsysRun *run, const char *format, const double *values, uint32_t count) {
+  print(run, stderr, format, values, count);
+}
+
+void lsys_print_to(LsysRun *run, double file, const char *format, const double *values, uint32_t count) {
+  print(run, lsys_files_at(run, file, "fprintf"), format, values, count);
 }

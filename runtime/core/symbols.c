@@ -16,7 +16,8 @@ const LsysSymbol lsys_symbols[] = {
   SYMBOL(lsys_bran),       SYMBOL(lsys_biran),      SYMBOL(lsys_scan_open),    SYMBOL(lsys_scan_close),
   SYMBOL(lsys_scan_enter), SYMBOL(lsys_scan_leave), SYMBOL(lsys_behind),       SYMBOL(lsys_ahead),
   SYMBOL(lsys_right),      SYMBOL(lsys_branch),     SYMBOL(lsys_closes),       SYMBOL(lsys_cut),
-  SYMBOL(lsys_cut_short),  SYMBOL(lsys_print),      SYMBOL(lsys_step_letters),
+  SYMBOL(lsys_cut_short),  SYMBOL(lsys_print),      SYMBOL(lsys_print_to),     SYMBOL(lsys_fopen),
+  SYMBOL(lsys_fclose),     SYMBOL(lsys_fscanf),     SYMBOL(lsys_step_letters),
 
 };
 const size_t lsys_symbol_count = sizeof lsys_symbols / sizeof *lsys_symbols;

@@ -8,7 +8,7 @@
 #include <string.h>
 
 // The columns of functions.def have short names.
-enum { PURE = LSYS_FN_PURE, RANDOM = LSYS_FN_RANDOM, EFFECT = LSYS_FN_EFFECT };
+enum { PURE = LSYS_FN_PURE, RANDOM = LSYS_FN_RANDOM, EFFECT = LSYS_FN_EFFECT, FILE = LSYS_FN_FILE };
 
 const LsysFunctionInfo lsys_functions[LSYS_FN_COUNT] = {
 #define FUNCTION(id, name, arguments, least, most, how, doc)                                                           \

@@ -90,9 +90,10 @@ struct LsysRun {
   bool births;
   uint64_t born;
 
-  struct LsysMemory *memory;              // the run time's account of what is held; NULL: none is kept
-  uint32_t *told;  // of lsys_cut_short, for all threads; NULL: nothing is told
+  struct LsysMemory *memory;  // the run time's account of what is held; NULL: none is kept
+  uint32_t *told;             // of lsys_cut_short, for all threads; NULL: nothing is told
 
+  struct LsysFiles *files;                // the run time's, of fopen
   struct LsysSurroundings *surroundings;  // the run time's, of lsys_look
 };
 
@@ -251,6 +252,12 @@ void lsys_look_end(LsysRun *run);
 
 // printf of a block, to standard error: format holds one conversion d, i, e, f or g for each value.
 void lsys_print(LsysRun *run, const char *format, const double *values, uint32_t count);
+
+// The same into a file that lsys_fopen opened; and what else blocks do with files. None returns where that fails.
+void lsys_print_to(LsysRun *run, double file, const char *format, const double *values, uint32_t count);
+double lsys_fopen(LsysRun *run, const char *name, const char *mode);
+void lsys_fclose(LsysRun *run, double file);
+double lsys_fscanf(LsysRun *run, double file);  // the next number; nan where there is none
 
 // The functions that compiled code may call, by name: what the JIT binds.
 typedef struct LsysSymbol {

@@ -11,7 +11,7 @@ typedef enum LsysFunction {
   LSYS_FN_COUNT
 } LsysFunction;
 
-typedef enum LsysFunctionHow { LSYS_FN_PURE, LSYS_FN_RANDOM, LSYS_FN_EFFECT } LsysFunctionHow;
+typedef enum LsysFunctionHow { LSYS_FN_PURE, LSYS_FN_RANDOM, LSYS_FN_EFFECT, LSYS_FN_FILE } LsysFunctionHow;
 
 typedef struct LsysFunctionInfo {
   const char *name, *arguments;
