@@ -14,6 +14,8 @@
 typedef enum Meaning {
   VIEW_NUMBER,
   VIEW_FACTOR,
+  VIEW_WIDTH,
+  VIEW_STYLE,
   VIEW_VECTOR,
   VIEW_TROPISM,
   VIEW_SURFACE,
@@ -109,6 +111,14 @@ static void set(View *view, unsigned setting, AstExpr *value) {
   if (!statement) statement = add(view, AST_SETTING);
   statement->setting = setting;
   statement->value = value;
+}
+
+// `pixels` and `pixel` of what may stand there: else a line is a polygon or a cylinder as wide as cpfg is told.
+static void style(View *view) {
+  Span span;
+  const char *text;
+  bool pixels = word(view, &span, &text) && (*text | 0x20) == 'p' && (text[1] | 0x20) == 'i';
+  set(view, LSYS_SETTING_WIDTHS, ast_number(view->build, span, !pixels));
 }
 
 // A direction: three numbers, of which cpfg makes a vector of length 1.
@@ -244,6 +254,14 @@ static void read_line(View *view) {
   case VIEW_FACTOR:
     if (!number(view, command->keyword, &value)) break;
     set(view, command->setting, ast_binary(view->build, OP_DIV, ast_number(view->build, value->span, 360), value));
+    break;
+  case VIEW_WIDTH:
+    if (!number(view, command->keyword, &value)) break;
+    set(view, command->setting, value);
+    style(view);
+    break;
+  case VIEW_STYLE:
+    style(view);
     break;
   case VIEW_VECTOR:
     vector(view, command);

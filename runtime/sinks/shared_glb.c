@@ -433,6 +433,7 @@ static bool write_file(Glb *g) {
 static void choose_looks(Glb *g, const LsysModelOptions *options) {
   double width = g->parts->run->value[LSYS_SETTING_WIDTH];
   g->width = 0.1 * fabs(g->parts->run->value[LSYS_SETTING_STEP]) / (width > 0 ? width : 1);
+  if (g->parts->run->value[LSYS_SETTING_WIDTHS] == 1) g->width = 1;
   if (isfinite(options->line_width)) g->width *= options->line_width;
   const LsysGrammar *grammar = g->parts->run->grammar;
   for (uint32_t i = 0; i < grammar->kind_count; i++) {

@@ -185,7 +185,7 @@ static bool write_all(Svg *s, uint32_t first, uint32_t end, const LsysPictureOpt
   }
   LsysPage page = {0};
   lsys_layout_fit(&s->layout, options, &page);
-  s->unit = s->layout.unit / s->layout.scale;
+  s->unit = s->parts->run->value[LSYS_SETTING_WIDTHS] == 1 ? 1 : s->layout.unit / s->layout.scale;
   lsys_out_print(s->out,
                  "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%u\" height=\"%u\" viewBox=\"0 0 %u %u\">\n",
                  page.width, page.height, page.width, page.height);

@@ -283,7 +283,7 @@ void lsys_turtle_destroy(LsysTurtle *t) {
 }
 
 bool lsys_turtle_widths_are_lengths(const LsysTurtle *t) {
-  return t->sweeps;
+  return t->sweeps || t->run->value[LSYS_SETTING_WIDTHS] == 1;
 }
 
 bool lsys_turtle_flat(const LsysTurtle *t) {
