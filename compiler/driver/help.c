@@ -83,6 +83,7 @@ static const struct {
   {"functions", NULL, "the functions of expressions"},
   {"operators", NULL, "the operators of expressions"},
   {"settings", NULL, "angle:, step: and other statements that set a default"},
+  {"environments", NULL, "what answers the modules ?E of open L-systems"},
   {"warnings", warnings, "what -W can switch"},
   {"man", manual_page, "this program's manual page, as roff"},
   {"bash", manual_bash, "completions for bash: source <(lsysc help bash)"},

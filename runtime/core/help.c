@@ -179,6 +179,19 @@ static void settings(LsysHelp *help) {
   }
 }
 
+static void environments(LsysHelp *help) {
+  lsys_help_title(help, "Environments of open L-systems, `environment: NAME(parameter=number)`");
+  for (int id = LSYS_ENVIRONMENT_NONE + 1; id < LSYS_ENVIRONMENT_COUNT; id++) {
+    const LsysEnvironmentInfo *info = &lsys_environment_table[id];
+    char left[80];
+    int at = snprintf(left, sizeof left, "%s", info->name);
+    for (int i = 0; i < LSYS_ENVIRONMENT_VALUES && *info->parameter[i]; i++)
+      at += snprintf(left + at, sizeof left - (size_t)at, "%s%s=%g", i ? "," : "(", info->parameter[i], info->value[i]);
+    if (*info->parameter[0]) snprintf(left + at, sizeof left - (size_t)at, ")");
+    lsys_help_entry(help, info->name, left, info->doc);
+  }
+}
+
 static void operators(LsysHelp *help) {
   lsys_help_title(help, "Operators of expressions, those that bind loosest first");
   lsys_help_entry(help, "? :", "a ? b : c", "b if a holds, else c; the other one is not evaluated");
@@ -191,7 +204,8 @@ static const struct {
   const char *name;
   void (*print)(LsysHelp *help);
 } subjects[] = {
-  {"formats", formats}, {"turtle", turtle}, {"functions", functions}, {"operators", operators}, {"settings", settings},
+  {"formats", formats},     {"turtle", turtle},     {"functions", functions},
+  {"operators", operators}, {"settings", settings}, {"environments", environments},
 };
 enum { SUBJECTS = sizeof subjects / sizeof *subjects };
 
@@ -223,7 +237,8 @@ bool lsys_help(FILE *to, const LsysGrammar *grammar, const char *subject) {
     lsys_error("there is no help on '%s'; did you mean '%s'?", subject, word.near);
     return false;
   }
-  lsys_error("there is no help on '%s'; there is on: formats, turtle, functions, operators, settings, and on every "
+  lsys_error("there is no help on '%s'; there is on: formats, turtle, functions, operators, settings, environments, "
+             "and on every "
              "name and symbol in them",
              subject);
   return false;

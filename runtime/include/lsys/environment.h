@@ -8,7 +8,7 @@
 //
 //   const LsysEnvironment lsys_environment = {LSYS_ENVIRONMENT_VERSION, 0, answer};
 //
-// and is named by its file: `environment: "./wind.so"`. `lsysc --help` of a program shows the built-in ones.
+// and is named by its file: `environment: "./wind.so"`. `lsysc help environments` shows the built-in ones.
 #ifndef LSYS_ENVIRONMENT_H
 #define LSYS_ENVIRONMENT_H
 
