@@ -1,7 +1,7 @@
 // survey.c -- see survey.h. First the brackets of a segment that have no
-// partner in it are found, then what stands nearest to them on their axes;
-// letters that cannot matter are only counted, block by block. Joining costs
-// what there are such brackets.
+// partner in it are found, then what stands nearest to them on their axes, where
+// finished branches are only counted through. Joining costs what there are such
+// brackets.
 #include "core/survey.h"
 
 #include <stdlib.h>
@@ -9,7 +9,10 @@
 
 #define INLINE static inline __attribute__((always_inline))
 
-enum { BLOCK = 32 };  // letters that are looked at together
+enum {
+  AT_ONCE = 8,  // modules
+  BLOCK = 32,   // letters that are looked at together
+};
 
 // What `[` saves on the path.
 struct SurveyLevel {
@@ -35,77 +38,38 @@ static void add(LsysRun *run, SurveyBrackets *to, SurveyBracket bracket) {
 
 // ---- one segment -------------------------------------------------------------
 
-static bool has_blocks(const ScanTables *tables) {
-  return !tables->wide && tables->open != LSYS_NO_MODULE && tables->close != LSYS_NO_MODULE;
+// Modules one by one; where top would be below 0 a branch ends that began elsewhere.
+INLINE ptrdiff_t pass_brackets(Survey *survey, const uint8_t **stack, ptrdiff_t top, const ScanTables *tables,
+                               LsysRun *run, const uint8_t *at, const uint8_t *end, bool wide) {
+  for (; at < end; at += 1 + wide) {
+    stack[top] = at;
+    top += tables->turn[symbol(at, wide)];
+    if (top >= 0) continue;
+    top = 0;
+    add(run, &survey->closes, (SurveyBracket){.sym = at});
+  }
+  return top;
 }
 
-// How many brackets there are among BLOCK letters.
-INLINE void count_brackets(const uint8_t *at, uint8_t open, uint8_t close, size_t *opens, size_t *closes) {
-  uint8_t o = 0, c = 0;
-  for (int i = 0; i < BLOCK; i++) {
-    o = (uint8_t)(o + (at[i] == open));
-    c = (uint8_t)(c + (at[i] == close));
-  }
-  *opens = o;
-  *closes = c;
-}
-
-// Where no branch can end that began before the segment, blocks are only counted.
-static void find_closes(Survey *survey, const ScanTables *tables, LsysRun *run, const LsysSegment *segment) {
-  const uint8_t *at = segment->sym, *end = segment->end, width = (uint8_t)(1 + tables->wide);
-  size_t opens, closes;
-  ptrdiff_t depth = 0;
-  while (at < end) {
-    bool block = has_blocks(tables) && end - at >= BLOCK;
-    if (block) {
-      count_brackets(at, (uint8_t)tables->open, (uint8_t)tables->close, &opens, &closes);
-      if (closes <= (size_t)depth) {
-        depth += (ptrdiff_t)opens - (ptrdiff_t)closes;
-        at += BLOCK;
-        continue;
-      }
+// stack[top] is the module at hand until one on the same axis takes its place: `[` that no `]` follows are left over.
+// Words are hard to guess: some modules are passed at once, with room below the stack, and again where that was needed.
+INLINE void find_brackets(Survey *survey, const uint8_t **stack, const ScanTables *tables, LsysRun *run,
+                          const LsysSegment *segment, bool wide) {
+  const uint8_t *at = segment->sym;
+  const ptrdiff_t bytes = AT_ONCE * (1 + wide);
+  ptrdiff_t top = 0;
+  for (; segment->end - at >= bytes; at += bytes) {
+    ptrdiff_t after = top, below = 0;
+#pragma GCC unroll 8
+    for (int i = 0; i < AT_ONCE; i++) {
+      stack[after] = at + i * (1 + wide);
+      after += tables->turn[symbol(at + i * (1 + wide), wide)];
+      below |= after;
     }
-    for (const uint8_t *stop = block ? at + BLOCK : end; at < stop; at += width) {
-      depth += tables->turn[symbol(at, tables->wide)];
-      if (depth >= 0) continue;
-      depth = 0;
-      add(run, &survey->closes, (SurveyBracket){.sym = at});
-    }
+    top = below < 0 ? pass_brackets(survey, stack, top, tables, run, at, at + bytes, wide) : after;
   }
-}
-
-static void reverse(SurveyBrackets *brackets) {
-  for (size_t i = 0, j = brackets->count; i + 1 < j; i++) {
-    SurveyBracket other = brackets->at[--j];
-    brackets->at[j] = brackets->at[i];
-    brackets->at[i] = other;
-  }
-}
-
-// The same from the end: where no branch can begin that ends behind the segment.
-static void find_opens(Survey *survey, const ScanTables *tables, LsysRun *run, const LsysSegment *segment) {
-  const uint8_t *at = segment->end, *begin = segment->sym, width = (uint8_t)(1 + tables->wide);
-  size_t opens, closes;
-  ptrdiff_t depth = 0;
-  while (at > begin) {
-    bool block = has_blocks(tables) && at - begin >= BLOCK;
-    if (block) {
-      count_brackets(at - BLOCK, (uint8_t)tables->open, (uint8_t)tables->close, &opens, &closes);
-      if (opens <= (size_t)depth) {
-        depth += (ptrdiff_t)closes - (ptrdiff_t)opens;
-        at -= BLOCK;
-        continue;
-      }
-    }
-    for (const uint8_t *stop = block ? at - BLOCK : begin; at > stop;) {
-      at -= width;
-      depth -= tables->turn[symbol(at, tables->wide)];
-      if (depth >= 0) continue;
-      depth = 0;
-      add(run, &survey->opens, (SurveyBracket){.sym = at});
-    }
-  }
-  reverse(&survey->opens);
+  top = pass_brackets(survey, stack, top, tables, run, at, segment->end, wide);
+  for (ptrdiff_t i = 0; i < top; i++) add(run, &survey->opens, (SurveyBracket){.sym = stack[i]});
 }
 
 // The places of arguments behind the brackets, which stand in order.
@@ -141,18 +105,36 @@ INLINE void find_branches(Survey *survey, SurveyBracket *stack, const ScanTables
 
 static void find(Survey *survey, SurveyStack *stack, const ScanTables *tables, LsysRun *run, const LsysSegment *segment,
                  uint32_t number) {
+  size_t room = (size_t)(segment->end - segment->sym) / (1u + tables->wide) + 1;
   if (segment->skip) {
-    size_t modules = (size_t)(segment->end - segment->sym) / (1u + tables->wide);
-    stack->at = scan_array(run, stack->at, &stack->room, modules + 1, sizeof *stack->at);
+    stack->at = scan_array(run, stack->at, &stack->room, room, sizeof *stack->at);
     if (tables->wide)
       find_branches(survey, stack->at, tables, run, segment, number, true);
     else
       find_branches(survey, stack->at, tables, run, segment, number, false);
     return;
   }
-  find_closes(survey, tables, run, segment);
-  find_opens(survey, tables, run, segment);
+  stack->sym = scan_array(run, stack->sym, &stack->sym_room, AT_ONCE + room, sizeof *stack->sym);
+  if (tables->wide)
+    find_brackets(survey, stack->sym + AT_ONCE, tables, run, segment, true);
+  else
+    find_brackets(survey, stack->sym + AT_ONCE, tables, run, segment, false);
   if (tables->parametric) find_arguments(survey, tables, segment);
+}
+
+static bool has_blocks(const ScanTables *tables) {
+  return !tables->wide && tables->open != LSYS_NO_MODULE && tables->close != LSYS_NO_MODULE;
+}
+
+// How many brackets there are among BLOCK letters.
+INLINE void count_brackets(const uint8_t *at, uint8_t open, uint8_t close, size_t *opens, size_t *closes) {
+  uint8_t o = 0, c = 0;
+  for (int i = 0; i < BLOCK; i++) {
+    o = (uint8_t)(o + (at[i] == open));
+    c = (uint8_t)(c + (at[i] == close));
+  }
+  *opens = o;
+  *closes = c;
 }
 
 // Skips letters of finished branches, `depth` of which are around the place: forward, or back.
@@ -263,6 +245,7 @@ void survey_free(Survey *survey, LsysRun *run) {
 
 void survey_stack_free(SurveyStack *stack, LsysRun *run) {
   scan_array_free(run, stack->at, stack->room, sizeof *stack->at);
+  scan_array_free(run, stack->sym, stack->sym_room, sizeof *stack->sym);
 }
 
 // ---- the path ----------------------------------------------------------------

@@ -30,7 +30,8 @@ typedef struct Survey {
 // Room of one thread.
 typedef struct SurveyStack {
   SurveyBracket *at;
-  size_t room;
+  const uint8_t **sym;
+  size_t room, sym_room;
 } SurveyStack;
 
 // All segments together, from step to step.

@@ -60,7 +60,7 @@ static Collector collector(Arena *arena) {
                      .arena = arena};
 }
 
-// stretch 0: as long as they are for users.
+// The sink is destroyed then. stretch 0: as long as they are for users.
 static bool derive_into(const LsysGrammar *grammar, const LsysOptions *options, LsysMemory *memory, LsysSink *sink,
                         uint64_t stretch) {
   LsysDerivation derivation;
@@ -68,6 +68,7 @@ static bool derive_into(const LsysGrammar *grammar, const LsysOptions *options, 
   if (stretch) derivation.stretch = stretch;
   for (uint32_t axiom = 0; well && axiom < grammar->axiom_count; axiom++)
     well = lsys_derivation_run(&derivation, axiom, sink, 0);
+  sink->destroy(sink);
   lsys_derivation_close(&derivation);
   return well;
 }
@@ -82,7 +83,6 @@ static bool derive(const LsysGrammar *grammar, Collector *into) {
   LsysSink *figure =
     lsys_sink_homomorphism(&(LsysSinkContext){.grammar = grammar, .options = &options, .memory = &memory}, &into->sink);
   bool well = figure && derive_into(grammar, &options, &memory, figure, 0);
-  if (figure) figure->destroy(figure);
   into->lengths.figure = into->sym.count / into->width - into->lengths.word;
   return well;
 }
@@ -207,7 +207,8 @@ static bool derive_digest(const LsysGrammar *grammar, uint64_t steps, uint64_t t
   options.at[LSYS_OPTION_STEPS] = (LsysOptionValue){.given = true, .whole = steps};
   options.at[LSYS_OPTION_THREADS] = (LsysOptionValue){.given = true, .whole = threads};
   LsysMemory memory = {.limit = UINT64_C(1) << 31};
-  *into = (Digest){.sink = {.passes = 1, .begin = begin_digest, .take = digest, .end = end, .finish = end}};
+  *into = (Digest){
+    .sink = {.passes = 1, .begin = begin_digest, .take = digest, .end = end, .finish = end, .destroy = destroy}};
   return derive_into(grammar, &options, &memory, &into->sink, 0);
 }
 
