@@ -47,12 +47,12 @@ static bool take_sum(LsysSink *sink, const LsysWord *part) {
   return true;
 }
 
-static uint64_t derive(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, unsigned threads, Packed *out,
+static uint64_t derive(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, Packed *out,
                        bool (*take)(LsysSink *, const LsysWord *)) {
   LsysMemory memory = {.limit = lsys_memory_default()};
   LsysOptions options = {0};
   options.at[LSYS_OPTION_STEPS] = (LsysOptionValue){.given = true, .whole = steps};
-  options.at[LSYS_OPTION_THREADS] = (LsysOptionValue){.given = true, .whole = threads};
+  options.at[LSYS_OPTION_THREADS] = (LsysOptionValue){.given = true, .whole = 1};
   options.at[LSYS_OPTION_SEED] = (LsysOptionValue){.given = true, .whole = seed};
   WordSink sink = {.sink = {.passes = 1, .begin = begin, .take = take, .end = end}, .out = out};
   LsysDerivation derivation;
@@ -65,21 +65,16 @@ static uint64_t derive(const LsysGrammar *grammar, uint64_t steps, uint64_t seed
 
 void word_size(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, size_t *nsym, size_t *narg) {
   Packed out = {0};
-  derive(grammar, steps, seed, 1, &out, take_size);
+  derive(grammar, steps, seed, &out, take_size);
   *nsym = out.nsym;
   *narg = out.narg;
 }
 
 void word_store(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, Packed *out) {
   out->nsym = out->narg = 0;
-  derive(grammar, steps, seed, 1, out, take_word);
+  derive(grammar, steps, seed, out, take_word);
 }
 
 uint64_t word_sum(const LsysGrammar *grammar, uint64_t steps, uint64_t seed) {
-  return derive(grammar, steps, seed, 1, NULL, take_sum);
-}
-
-void word_pass(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, unsigned threads) {
-  Packed out = {0};
-  derive(grammar, steps, seed, threads, &out, take_size);
+  return derive(grammar, steps, seed, NULL, take_sum);
 }

@@ -17,7 +17,4 @@ uint64_t sum_bytes(const uint8_t *at, size_t count);
 // The sum of all bytes of the word, as it streams by.
 uint64_t word_sum(const LsysGrammar *grammar, uint64_t steps, uint64_t seed);
 
-// Derives the word on so many threads and lets it pass.
-void word_pass(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, unsigned threads);
-
 #endif

@@ -16,14 +16,22 @@ double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+static double busy(void) {
+  struct rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return (double)(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec)
+       + 1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+}
+
 void measure(Side *sides, size_t count, unsigned runs) {
   for (unsigned r = 0; r < runs; r++)
     for (size_t i = 0; i < count; i++) {
       Side *side = &sides[(i + r) % count];
       if (side->before) side->before(side->data);
-      double begin = now();
+      double begin = now(), idle = busy();
       side->run(side->data);
       side->seconds[r] = now() - begin;
+      side->busy[r] = busy() - idle;
     }
 }
 

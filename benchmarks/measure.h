@@ -16,6 +16,7 @@ typedef struct Side {
   void (*run)(void *data);
   void *data;
   double seconds[MOST_RUNS];
+  double busy[MOST_RUNS];  // seconds of processors, over all threads
 } Side;
 
 // Runs every side once per round, in turn. runs <= MOST_RUNS.

@@ -3,6 +3,7 @@
 #include "bench.h"
 #include "compile.h"
 #include "measure.h"
+#include "program.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -29,17 +30,6 @@ static const Row rows[] = {
   {"png of tree", "row-of-trees", "21", "tree.png", "--size=4096x4096", 16777209, 2097151},
 };
 
-typedef struct Job {
-  const LsysGrammar *grammar;
-  char *argv[8];
-  int argc;
-} Job;
-
-static void run_job(void *data) {
-  Job *job = data;
-  if (lsys_main(job->grammar, job->argc, job->argv) != 0) exit(1);
-}
-
 static const char *folder(void) {
   return access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp";
 }
@@ -59,21 +49,18 @@ static void run_row(const Options *options, const Row *row) {
   snprintf(grammar, sizeof grammar, "%s/%s.lsys", options->grammars, row->grammar);
   snprintf(file, sizeof file, "%s/lsysc-bench-%d-%s", folder(), (int)getpid(), row->file ? row->file : "none");
   Compiled *compiled = compile_grammar(grammar, options->home);
-  Job job = {.grammar = compiled_grammar(compiled), .argv = {(char *)"bench", (char *)"-n", (char *)row->steps}};
-  job.argc = 3;
-  if (row->option) job.argv[job.argc++] = (char *)row->option;
+  Program program = program_of(compiled_grammar(compiled));
+  program_add(&program, "-n");
+  program_add(&program, row->steps);
+  if (row->option) program_add(&program, row->option);
   if (row->file) {
-    job.argv[job.argc++] = (char *)"-o";
-    job.argv[job.argc++] = file;
+    program_add(&program, "-o");
+    program_add(&program, file);
   }
-  int screen = dup(STDOUT_FILENO);
-  fflush(stdout);
-  if (!freopen("/dev/null", "w", stdout)) exit(1);
-  Side side = {.name = row->name, .run = run_job, .data = &job};
+  int screen = screen_hide();
+  Side side = {.name = row->name, .run = program_run, .data = &program};
   measure(&side, 1, options->runs);
-  fflush(stdout);
-  dup2(screen, STDOUT_FILENO);
-  close(screen);
+  screen_show(screen);
   struct stat info = {0};
   if (row->file && stat(file, &info) == 0) unlink(file);
   print_row(options, row, median(side.seconds, options->runs), (double)info.st_size);

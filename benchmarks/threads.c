@@ -1,26 +1,33 @@
-// threads.c -- the same derivation on one thread and on two, beside plain
-// arithmetic on as many: what the machine itself gives for a second thread.
+// threads.c -- the same run on one thread and on two, beside plain arithmetic
+// on as many: what the machine itself gives for a second thread. Runs are whole
+// programs: hashes and counts, which leave little to be done in order, and
+// words as text and as bytes, written to nowhere.
 #include "bench.h"
 #include "compile.h"
-#include "derive.h"
 #include "measure.h"
+#include "program.h"
 
 #include <pthread.h>
 #include <stdio.h>
+#include <string.h>
 
 typedef struct Row {
-  const char *grammar;
-  uint64_t steps, seed;
+  const char *name, *grammar, *arguments;
 } Row;
 
-static const Row rows[] = {{"row-of-trees", 26, 0}, {"guards", 44, 0},  {"shrub", 14, 1}, {"random-tree", 24, 1},
-                           {"heterocysts", 900, 0}, {"hogeweg", 60, 0}, {"signal", 14, 0}};
-
-typedef struct Job {
-  const Row *row;  // NULL: arithmetic
-  const LsysGrammar *grammar;
-  unsigned threads;
-} Job;
+static const Row rows[] = {
+  {"hash of shrub", "shrub", "-n 15 --seed 1 --hash"},
+  {"count of shrub", "shrub", "-n 15 --seed 1 --count"},
+  {"hash of random tree", "random-tree", "-n 25 --seed 1 --hash"},
+  {"count of random tree", "random-tree", "-n 25 --seed 1 --count"},
+  {"text of random tree", "random-tree", "-n 21 --seed 1 -o /dev/null --format text"},
+  {"bytes of random tree", "random-tree", "-n 25 --seed 1 -o /dev/null --format binary"},
+  {"hash of guards", "guards", "-n 45 --hash"},
+  {"text of row of trees", "row-of-trees", "-n 22 -o /dev/null --format text"},
+  {"hash of heterocysts", "heterocysts", "-n 900 --hash"},
+  {"hash of hogeweg", "hogeweg", "-n 66 --hash"},
+  {"hash of signal", "signal", "-n 17 --hash"},
+};
 
 static void *arithmetic(void *data) {
   volatile double *result = data;
@@ -30,48 +37,57 @@ static void *arithmetic(void *data) {
   return NULL;
 }
 
-// A fixed amount of work for each thread.
-static void run_arithmetic(unsigned threads) {
+// A fixed amount of work for each of so many threads.
+static void run_arithmetic(void *data) {
+  const unsigned *threads = data;
   pthread_t others[8];
   double results[8];
-  for (unsigned i = 1; i < threads; i++) pthread_create(&others[i], NULL, arithmetic, &results[i]);
+  for (unsigned i = 1; i < *threads; i++) pthread_create(&others[i], NULL, arithmetic, &results[i]);
   arithmetic(&results[0]);
-  for (unsigned i = 1; i < threads; i++) pthread_join(others[i], NULL);
+  for (unsigned i = 1; i < *threads; i++) pthread_join(others[i], NULL);
 }
 
-static void run_job(void *data) {
-  const Job *job = data;
-  if (job->row)
-    word_pass(job->grammar, job->row->steps, job->row->seed, job->threads);
-  else
-    run_arithmetic(job->threads);
-}
-
-static void print_row(const Options *options, const char *name, const Side *sides, double scaling) {
+// work: how many times as much two threads did.
+static void print_row(const Options *options, const char *name, const Side *sides, double work) {
   double one = median(sides[0].seconds, options->runs), two = median(sides[1].seconds, options->runs);
-  printf(options->json ? "{\"row\":\"%s\",\"one\":%.6g,\"two\":%.6g,\"speedup\":%.3g}\n" : "%-14s %9.4f %9.4f %8.2f\n",
-         name, one, two, scaling);
+  double speedup = ratio(&sides[0], &sides[1], options->runs) * work;
+  double cost = median(sides[1].busy, options->runs) / median(sides[0].busy, options->runs) / work;
+  printf(options->json ? "{\"row\":\"%s\",\"one\":%.6g,\"two\":%.6g,\"speedup\":%.3g,\"cost\":%.3g}\n"
+                       : "%-22s %9.4f %9.4f %8.2f %8.2f\n",
+         name, one, two, speedup, cost);
   fflush(stdout);
 }
 
-static void run_row(const Options *options, const Row *row, const LsysGrammar *grammar, const char *name) {
-  Job jobs[2] = {{row, grammar, 1}, {row, grammar, 2}};
-  Side sides[2] = {{.name = "one", .run = run_job, .data = &jobs[0]},
-                   {.name = "two", .run = run_job, .data = &jobs[1]}};
+static void time_arithmetic(const Options *options) {
+  unsigned one = 1, two = 2;
+  Side sides[2] = {{.name = "one", .run = run_arithmetic, .data = &one},
+                   {.name = "two", .run = run_arithmetic, .data = &two}};
   measure(sides, 2, options->runs);
-  // Arithmetic does twice the work on two threads, a derivation the same.
-  print_row(options, name, sides, ratio(&sides[0], &sides[1], options->runs) * (row ? 1 : 2));
+  print_row(options, "arithmetic", sides, 2);
+}
+
+static void time_row(const Options *options, const Row *row) {
+  char path[4096], arguments[2][256];
+  snprintf(path, sizeof path, "%s/%s.lsys", options->grammars, row->grammar);
+  Compiled *compiled = compile_grammar(path, options->home);
+  Program programs[2];
+  Side sides[2];
+  for (int i = 0; i < 2; i++) {
+    snprintf(arguments[i], sizeof arguments[i], "%s --threads %d", row->arguments, i + 1);
+    programs[i] = program_of(compiled_grammar(compiled));
+    program_add_all(&programs[i], arguments[i]);
+    sides[i] = (Side){.name = row->name, .run = program_run, .data = &programs[i]};
+  }
+  int screen = screen_hide();
+  measure(sides, 2, options->runs);
+  screen_show(screen);
+  print_row(options, row->name, sides, 1);
+  compile_release(compiled);
 }
 
 void bench_threads(const Options *options) {
-  if (!options->json) printf("%-14s %9s %9s %8s\n", "row", "1 thread", "2 threads", "speedup");
-  if (bench_wants(options, "arithmetic")) run_row(options, NULL, NULL, "arithmetic");
-  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-    if (!bench_wants(options, rows[i].grammar)) continue;
-    char path[4096];
-    snprintf(path, sizeof path, "%s/%s.lsys", options->grammars, rows[i].grammar);
-    Compiled *compiled = compile_grammar(path, options->home);
-    run_row(options, &rows[i], compiled_grammar(compiled), rows[i].grammar);
-    compile_release(compiled);
-  }
+  if (!options->json) printf("%-22s %9s %9s %8s %8s\n", "row", "1 thread", "2 threads", "speedup", "cost");
+  if (bench_wants(options, "arithmetic")) time_arithmetic(options);
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+    if (bench_wants(options, rows[i].name)) time_row(options, &rows[i]);
 }
