@@ -19,7 +19,7 @@ static const Row rows[] = {
   {"hash of shrub", "shrub", "-n 15 --seed 1 --hash"},
   {"count of shrub", "shrub", "-n 15 --seed 1 --count"},
   {"hash of random tree", "random-tree", "-n 25 --seed 1 --hash"},
-  {"count of random tree", "random-tree", "-n 25 --seed 1 --count"},
+  {"count of guards", "guards", "-n 45 --count"},
   {"text of random tree", "random-tree", "-n 21 --seed 1 -o /dev/null --format text"},
   {"bytes of random tree", "random-tree", "-n 25 --seed 1 -o /dev/null --format binary"},
   {"hash of guards", "guards", "-n 45 --hash"},
