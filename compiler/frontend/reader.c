@@ -51,7 +51,7 @@ static void push_input(Reader *reader, const SourceFile *file) {
 
 // The name behind a directive; NULL: there is none.
 static const char *directive_name(const Statement *s, Arena *arena) {
-  const char *at = s->first.rest, *end = at;
+  const char *at = s->first.rest, *end;
   for (size_t n; (n = utf8_blank(at, s->end)) > 0;) at += n;
   for (end = at; end < s->end && !strchr(" \t\r\n/(", *end);) end++;
   return end > at ? arena_copy(arena, at, (size_t)(end - at)) : NULL;

@@ -34,16 +34,16 @@ double lsys_fopen(LsysRun *run, const char *name, const char *mode) {
   lsys_fail(run, "fopen: %d files are open already", MOST_FILES);
 }
 
-void lsys_fclose(LsysRun *run, double number) {
-  FILE *file = lsys_files_at(run, number, "fclose");
-  run->files->at[(int)number - 1] = NULL;
-  bool bad = ferror(file);
-  if (fclose(file) != 0 || bad) lsys_fail(run, "fclose: cannot write the file: %s", strerror(errno));
+void lsys_fclose(LsysRun *run, double file) {
+  FILE *stream = lsys_files_at(run, file, "fclose");
+  run->files->at[(int)file - 1] = NULL;
+  bool bad = ferror(stream);
+  if (fclose(stream) != 0 || bad) lsys_fail(run, "fclose: cannot write the file: %s", strerror(errno));
 }
 
-double lsys_fscanf(LsysRun *run, double number) {
+double lsys_fscanf(LsysRun *run, double file) {
   double value;
-  return fscanf(lsys_files_at(run, number, "fscanf"), "%lf", &value) == 1 ? value : NAN;
+  return fscanf(lsys_files_at(run, file, "fscanf"), "%lf", &value) == 1 ? value : NAN;
 }
 
 void lsys_files_close(LsysRun *run) {
