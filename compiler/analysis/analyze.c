@@ -90,6 +90,12 @@ static const char *step_reason(const Program *program, const Facts *facts) {
   return "productions read what blocks, queries or the environment set";
 }
 
+// Whether something in a step depends on all that came before it (the run time's lsys_spread_applies).
+static bool in_order(const Program *program, const Facts *facts) {
+  return facts->sequential || program->lsystems[0].pseudo || program->cut != KIND_NONE || program->lsystem_count > 1
+      || (!facts->context_free && (program->lsystems[0].ring || facts->queries));
+}
+
 static void print_engine(const Program *program, const Facts *facts, FILE *out) {
   if (facts->context_free) {
     fputs("engine       expand: what a module becomes depends on itself alone, so no intermediate word is stored\n",
@@ -97,7 +103,7 @@ static void print_engine(const Program *program, const Facts *facts, FILE *out) 
   } else {
     fprintf(out, "engine       step, word by word: %s\n", step_reason(program, facts));
   }
-  if (facts->sequential) fputs("             in order, on one thread\n", out);
+  if (in_order(program, facts)) fputs("             in order, on one thread\n", out);
 }
 
 // ---- kinds -----------------------------------------------------------------------
