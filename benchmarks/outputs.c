@@ -27,6 +27,8 @@ static const Row rows[] = {
   {"turtle of tree", "row-of-trees", "21", NULL, "--stats", 16777209, 2097151},
   {"svg of plant", "plant", "14", "plant.svg", NULL, 28679199, 9533170},
   {"png of plant", "plant", "14", "plant.png", "--size=4096x4096", 28679199, 9533170},
+  {"ply of plant", "plant", "14", "plant.ply", NULL, 28679199, 9533170},
+  {"glb of plant", "plant", "14", "plant.glb", NULL, 28679199, 9533170},
   {"png of tree", "row-of-trees", "21", "tree.png", "--size=4096x4096", 16777209, 2097151},
 };
 

@@ -75,16 +75,14 @@ static bool print_counts(const LsysGrammar *grammar, LsysMemory *memory, LsysBig
   return well;
 }
 
-bool lsys_growth_print(const LsysDerivation *derivation, LsysOut *out) {
+bool lsys_growth_print(const LsysDerivation *derivation, uint32_t axiom, LsysOut *out) {
   const LsysGrammar *grammar = derivation->worker.run.grammar;
   LsysMemory *memory = derivation->worker.memory;
-  bool several = derivation->axiom_end - derivation->first_axiom > 1, well = true;
-  for (uint32_t axiom = derivation->first_axiom; well && axiom < derivation->axiom_end; axiom++) {
-    LsysBig *counts = lsys_memory_alloc(memory, grammar->kind_count, sizeof *counts);
-    well = counts && lsys_growth_counts(grammar, axiom, derivation->worker.run.steps, memory, counts)
-        && lsys_count_heading(out, several, axiom) && print_counts(grammar, memory, counts, out);
-    for (uint32_t k = 0; counts && k < grammar->kind_count; k++) lsys_big_free(memory, &counts[k]);
-    lsys_memory_free(memory, counts, grammar->kind_count, sizeof *counts);
-  }
+  bool several = derivation->axiom_end - derivation->first_axiom > 1;
+  LsysBig *counts = lsys_memory_alloc(memory, grammar->kind_count, sizeof *counts);
+  bool well = counts && lsys_growth_counts(grammar, axiom, derivation->worker.run.steps, memory, counts)
+           && lsys_count_heading(out, several, axiom) && print_counts(grammar, memory, counts, out);
+  for (uint32_t k = 0; counts && k < grammar->kind_count; k++) lsys_big_free(memory, &counts[k]);
+  lsys_memory_free(memory, counts, grammar->kind_count, sizeof *counts);
   return well;
 }

@@ -11,7 +11,7 @@
 bool lsys_growth_counts(const LsysGrammar *grammar, uint32_t axiom, uint64_t steps, LsysMemory *memory,
                         LsysBig *counts);
 
-// Prints what the count sink would print, for every start word asked for.
-bool lsys_growth_print(const LsysDerivation *derivation, LsysOut *out);
+// Prints what the count sink would print for a start word.
+bool lsys_growth_print(const LsysDerivation *derivation, uint32_t axiom, LsysOut *out);
 
 #endif

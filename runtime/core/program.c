@@ -8,6 +8,7 @@
 #include "core/growth.h"
 #include "core/message.h"
 #include "core/signals.h"
+#include "sinks/figure.h"
 #include "sinks/film.h"
 #include "sinks/homomorphism.h"
 #include "sinks/progress.h"
@@ -30,6 +31,7 @@ typedef struct Outputs {
   size_t count;
   size_t borrowed;   // the first ones are not ours
   bool only_counts;  // nothing but --count of the derived word: a growth matrix can tell
+  bool only_stats;   // nothing but --stats
 } Outputs;
 
 // Adds a format's sink, behind the homomorphism if it draws or the option asks for it.
@@ -75,6 +77,8 @@ static bool open_outputs(Outputs *outputs, const LsysSinkContext *context, const
   outputs->screen = lsys_out_open("-");
   if (!outputs->screen || (word && !add_word(outputs, context, derivation)) || !add_reports(outputs, context))
     return false;
+  outputs->only_stats =
+    options[LSYS_OPTION_STATS].given && !word && !options[LSYS_OPTION_RANGE].given && !options[LSYS_OPTION_HASH].given;
   outputs->only_counts =
     counts && !options[LSYS_OPTION_RANGE].given && outputs->count == 1
     && !((context->grammar->flags & LSYS_GRAMMAR_HOMOMORPHISM) && options[LSYS_OPTION_HOMOMORPHISM].given);
@@ -103,9 +107,25 @@ static bool add_progress(Outputs *outputs, const LsysSinkContext *context) {
   return sink;
 }
 
+// A word longer than this takes minutes to walk through: what is known without doing so is used.
+static bool is_long(const LsysDerivation *derivation) {
+  const double modules_of_minutes = 1e11;
+  return lsys_fit_modules(derivation) > modules_of_minutes;
+}
+
+static bool print_counts(const LsysDerivation *derivation, LsysOut *out) {
+  for (uint32_t axiom = derivation->first_axiom; axiom < derivation->axiom_end; axiom++)
+    if (!lsys_growth_print(derivation, axiom, out)) return false;
+  return true;
+}
+
 static bool derive_into(LsysDerivation *derivation, Outputs *outputs) {
-  if (outputs->only_counts && derivation->worker.run.grammar->growth.row)
-    return lsys_growth_print(derivation, outputs->screen);
+  bool known = derivation->worker.run.grammar->growth.row;
+  if (outputs->only_counts && known) return print_counts(derivation, outputs->screen);
+  if (outputs->only_stats && known && is_long(derivation)) {
+    bool well = lsys_figure_print(derivation, outputs->screen, &known);
+    if (!well || known) return well;
+  }
   LsysTee tee;
   lsys_tee_init(&tee, outputs->sinks, outputs->count);
   LsysSink *sink = outputs->count == 1 ? outputs->sinks[0] : &tee.sink;
@@ -125,6 +145,21 @@ static void report_cost(const struct timespec *started) {
   lsys_note("%.3f s, %.1f MiB of memory at most", seconds, (double)usage.ru_maxrss / 1024);
 }
 
+// Figures that nobody could draw segment by segment are written as their parts, if the format can.
+static bool must_share(const LsysDerivation *derivation, const LsysSinkContext *context) {
+  const LsysOptionValue *options = context->options->at;
+  static const LsysOption other[] = {LSYS_OPTION_RANGE,  LSYS_OPTION_COUNTS,     LSYS_OPTION_STATS,    LSYS_OPTION_HASH,
+                                     LSYS_OPTION_CAMERA, LSYS_OPTION_PROJECTION, LSYS_OPTION_COLOUR_BY};
+  for (size_t i = 0; i < sizeof other / sizeof *other; i++)
+    if (options[other[i]].given) return false;
+  if (!context->grammar->growth.row || !context->grammar->expand || !lsys_shared_format(context)
+      || !is_long(derivation))
+    return false;
+  lsys_note("the word has %.3g modules: the figure is written as parts that it shares (--shared)",
+            lsys_fit_modules(derivation));
+  return true;
+}
+
 bool lsys_program_run(const LsysGrammar *grammar, const LsysOptions *options, LsysSink *own) {
   const LsysOptionValue *limit = &options->at[LSYS_OPTION_MAX_MEMORY];
   LsysMemory memory = {.limit = limit->given ? limit->whole : lsys_memory_default()};
@@ -136,7 +171,8 @@ bool lsys_program_run(const LsysGrammar *grammar, const LsysOptions *options, Ls
   clock_gettime(CLOCK_MONOTONIC, &started);
   bool well = lsys_derivation_open(&derivation, grammar, options, &memory);
   bool film = options->at[LSYS_OPTION_FRAMES].given || options->at[LSYS_OPTION_SVG_ANIMATE].given;
-  if (well && (film || options->at[LSYS_OPTION_SHARED].given)) {
+  bool shared = well && !film && (options->at[LSYS_OPTION_SHARED].given || must_share(&derivation, &context));
+  if (well && (film || shared)) {
     well = (film ? lsys_film_run : lsys_shared_run)(&derivation, &context);
     lsys_derivation_close(&derivation);
     return well;

@@ -30,6 +30,15 @@ static bool write_parts(LsysDerivation *d, const LsysOptions *options, bool glb,
   return well;
 }
 
+bool lsys_shared_format(const LsysSinkContext *context) {
+  const LsysOptionValue *path = &context->options->at[LSYS_OPTION_OUTPUT];
+  const LsysOptionValue *name = &context->options->at[LSYS_OPTION_FORMAT];
+  const char *dot = path->given ? strrchr(path->text, '.') : NULL, *format = name->given ? name->text
+                                                                           : dot         ? dot + 1
+                                                                                         : "";
+  return strcmp(format, "svg") == 0 || strcmp(format, "glb") == 0;
+}
+
 bool lsys_shared_run(LsysDerivation *derivation, const LsysSinkContext *context) {
   const LsysOptionValue *path = &context->options->at[LSYS_OPTION_OUTPUT];
   const LsysOptionValue *name = &context->options->at[LSYS_OPTION_FORMAT];

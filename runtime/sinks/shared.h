@@ -14,6 +14,9 @@ bool lsys_shared_svg(LsysParts *parts, uint32_t first, uint32_t end, const LsysP
 // The same as a GLB whose nodes share meshes of sub-figures.
 bool lsys_shared_glb(LsysParts *parts, uint32_t first, uint32_t end, const LsysModelOptions *options, LsysOut *out);
 
+// Is the output asked for in a format that can share parts?
+bool lsys_shared_format(const LsysSinkContext *context);
+
 // --shared: writes -o or standard output so. False after printing why not.
 bool lsys_shared_run(LsysDerivation *derivation, const LsysSinkContext *context);
 

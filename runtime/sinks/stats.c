@@ -6,6 +6,8 @@
 // and of a word with branches:
 //   order N<TAB>segments   axes N<TAB>n (Gravelius orders, the trunk 1)   strahler<TAB>order
 //   streams N<TAB>n   ratio N<TAB>streams N / streams N+1 (Horton-Strahler orders, twigs 1)
+#include "sinks/stats.h"
+
 #include "core/formats.h"
 #include "lsys/number.h"
 #include "turtle/measure.h"
@@ -45,7 +47,7 @@ static bool take(LsysSink *sink, const LsysWord *part) {
   return lsys_turtle_take(stats->turtle, part) && lsys_tree_take(stats->tree, part);
 }
 
-static bool print_point(LsysOut *out, const char *name, LsysVec3 point) {
+bool lsys_stats_point(LsysOut *out, const char *name, LsysVec3 point) {
   char text[3 * (LSYS_NUMBER_SIZE + 1)], *at = text;
   double numbers[3] = {point.x, point.y, point.z};
   for (int i = 0; i < 3; i++) {
@@ -81,10 +83,10 @@ static bool print_rows(const StatsSink *stats) {
       lsys_out_print(out, "colour %d\t%llu\n", colour, (unsigned long long)measure->of_colour[colour]);
   lsys_out_print(out, "length\t%.*s\n", (int)(lsys_number_print(length, measure->length) - length), length);
   if (lsys_measure_any(measure)) {
-    print_point(out, "low", measure->low);
-    print_point(out, "high", measure->high);
+    lsys_stats_point(out, "low", measure->low);
+    lsys_stats_point(out, "high", measure->high);
   }
-  print_point(out, "end", lsys_turtle_position(stats->turtle));
+  lsys_stats_point(out, "end", lsys_turtle_position(stats->turtle));
   if (measure->segments && !stats->places.full)
     lsys_out_print(out, "places\t%llu\n", (unsigned long long)stats->places.count);
   print_orders(out, lsys_tree_orders(stats->tree));
