@@ -214,12 +214,16 @@ static void finish_system(Check *check, const System *system, LSystem *result) {
   finish_tables(check, system, result);
 }
 
-// cpfg: among productions of one predecessor of which some have a weight, one without counts 1.
-static void weigh_all(Check *check, ProductionList *productions) {
-  Map *weighted = map_create(check->arena);
+// cpfg: among productions of one predecessor of which some have a weight, one without counts 1. With `seed:` all that
+// hold compete, weights or not.
+static void weigh_all(Check *check, ProductionList *productions, bool seeded) {
+  Map *weighted = map_create(check->arena), *found = map_create(check->arena);
   for (size_t i = 0; i < productions->count; i++) {
     const Production *p = productions->at[i];
-    if (p->weight && p->strict.count) *map_place(weighted, NULL, p->strict.at[0].kind) = 1;
+    if (!p->strict.count) continue;
+    uint32_t *earlier = map_place(found, NULL, p->strict.at[0].kind);
+    if (p->weight || (seeded && *earlier != MAP_NONE)) *map_place(weighted, NULL, p->strict.at[0].kind) = 1;
+    *earlier = 1;
   }
   for (size_t i = 0; i < productions->count; i++) {
     Production *p = productions->at[i];
@@ -251,7 +255,7 @@ void check_systems(Check *check) {
   for (size_t i = 0; i < check->systems.count; i++) {
     System *system = check->systems.at[i];
     for (int section = 0; section < SECTION_COUNT && check->ast->rules.unweighted_counts_one; section++)
-      weigh_all(check, &system->productions[section]);
+      weigh_all(check, &system->productions[section], check->seed && i == 0 && section == SECTION_MAIN);
     finish_system(check, system, &program->lsystems[i]);
   }
   for (size_t i = 0; i < check->kinds.count; i++) check->kinds.at[i].ignored = program->lsystems[0].ignored[i];

@@ -35,8 +35,19 @@ static uint64_t family(const Where *where, const AstProduction *production) {
   return (uint64_t)strict->args.count << 40 | (uint64_t)where->section << 32 | where->system;
 }
 
+// `seed:` of the main L-system, not of its homomorphism.
+static bool has_seed(const Ast *ast) {
+  Where where = {0, AST_PRODUCTIONS};
+  for (size_t i = 0; i < ast->statements.count; i++) {
+    move(&where, &ast->statements.at[i]);
+    if (ast->statements.at[i].kind == AST_SECTION_SEED && where.section == AST_PRODUCTIONS) return true;
+  }
+  return false;
+}
+
 static void mark_unweighted(Arena *arena, const Ast *ast, bool *weigh) {
-  Map *weighted = map_create(arena);
+  Map *weighted = map_create(arena), *found = map_create(arena);
+  bool seeded = has_seed(ast);
   for (int pass = 0; pass < 2; pass++) {
     Where where = {0, AST_PRODUCTIONS};
     for (size_t i = 0; i < ast->statements.count; i++) {
@@ -45,7 +56,11 @@ static void mark_unweighted(Arena *arena, const Ast *ast, bool *weigh) {
       if (!production || !production->strict.modules.count) continue;
       const char *symbol = production->strict.modules.at[0].symbol;
       uint64_t number = family(&where, production);
-      if (pass == 0 && production->weight) *map_place(weighted, symbol, number) = 1;
+      bool main = where.section == AST_PRODUCTIONS && where.system <= 1;
+      uint32_t *earlier = map_place(found, symbol, number);
+      if (pass == 0 && (production->weight || (seeded && main && *earlier != MAP_NONE)))
+        *map_place(weighted, symbol, number) = 1;
+      *earlier = 1;
       if (pass == 1) weigh[i] = !production->weight && map_find(weighted, symbol, number) != MAP_NONE;
     }
   }

@@ -27,7 +27,7 @@ FILE
 lsysc run -w plant.l --view sub/plant.v
 lsysc run plant.l -DFANCY --view sub/plant.v -n 0
 lsysc run -w plant.l --view sub/plant.v -n 1 --stats | grep -e box -e colour
-lsysc fmt -w --view sub/plant.v plant.l > native.lsys && lsysc run native.lsys && head -9 native.lsys
+lsysc fmt -w --view sub/plant.v plant.l > native.lsys && lsysc run native.lsys && head -10 native.lsys
 printf 'axiom: F+F\nangle: 90\n' | lsysc interp -w --view sub/plant.v - -n 0 --stats | grep -e end -e colour
 cat > sub/wrong.v <<'FILE'
 angel factor: 3
