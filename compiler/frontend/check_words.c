@@ -23,8 +23,19 @@ static Expr *subsystem(Check *check, const AstExpr *ast) {
   return index == NONE ? check->poison : expr_number(check->arena, index, ast->span);
 }
 
-static Expr **module_arguments(Check *check, const AstModule *module) {
-  if (module->args.count == 0) return NULL;
+// In cpfg a label is a text with numbers in it, `@L("%.2f", x)`. Here it is its first number: 1 argument to leave out.
+static size_t label_text(Check *check, const AstModule *module) {
+  if (!is_symbol(module, "@L") || module->args.count == 0 || module->args.at[0]->kind != AST_STRING) return 0;
+  diag_warning(check->diag, WARN_DIALECT, module->args.at[0]->span, "the text is left out: a label is a number here");
+  return 1;
+}
+
+static Expr **module_arguments(Check *check, const AstModule *module, size_t first) {
+  if (module->args.count == first) return NULL;
+  if (first) {
+    AstExprs rest = {module->args.at + first, module->args.count - first, module->args.count - first};
+    return check_arguments(check, &rest);
+  }
   if (!is_symbol(module, "?")) return check_arguments(check, &module->args);
   Expr **args = arena_array(check->arena, module->args.count, sizeof(Expr *));
   args[0] = subsystem(check, module->args.at[0]);
@@ -58,8 +69,9 @@ Word check_word(Check *check, const AstWord *word, const char *what) {
     if (is_symbol(module, "@]"))
       diag_error(check->diag, module->symbol_span,
                  "`@]` asks for the end of a branch and can only stand in a right context");
-    KindId kind = kind_of(check, module->symbol, module->args.count, module->span);
-    result.at[i] = (Module){kind, module_arguments(check, module), module->span};
+    size_t first = label_text(check, module);
+    KindId kind = kind_of(check, module->symbol, module->args.count - first, module->span);
+    result.at[i] = (Module){kind, module_arguments(check, module, first), module->span};
   }
   check_balance(check, word, what);
   return result;
