@@ -165,6 +165,7 @@ typedef struct AstRules {
   bool unweighted_counts_one;     // cpfg: no weight among weighted ones is 1
   bool last_ignore_counts;        // cpfg
   bool idle_values;               // cpfg: a statement may compute a value that nothing uses
+  bool no_environment;            // cpfg: without a statement nobody answers ?E
   bool textual_macros;            // cpfg: -D of a name that is no param is a macro, not the program's business
 } AstRules;
 

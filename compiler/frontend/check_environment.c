@@ -4,21 +4,21 @@
 #include <math.h>
 #include <string.h>
 
-// The environment of a name; LSYS_ENVIRONMENT_NONE after an error.
+// The environment of a name; LSYS_ENVIRONMENT_COUNT after an error.
 static LsysEnvironmentId environment_named(Check *check, const AstExpr *value) {
-  const char *names[LSYS_ENVIRONMENT_COUNT - 1], *list = "";
-  for (int id = LSYS_ENVIRONMENT_NONE + 1; id < LSYS_ENVIRONMENT_COUNT; id++) {
-    names[id - 1] = lsys_environment_table[id].name;
-    if (strcmp(names[id - 1], value->name) == 0) return (LsysEnvironmentId)id;
-    list = arena_printf(check->arena, "%s%s%s", list, *list ? ", " : "", names[id - 1]);
+  const char *names[LSYS_ENVIRONMENT_COUNT], *list = "";
+  for (int id = 0; id < LSYS_ENVIRONMENT_COUNT; id++) {
+    names[id] = lsys_environment_table[id].name;
+    if (strcmp(names[id], value->name) == 0) return (LsysEnvironmentId)id;
+    list = arena_printf(check->arena, "%s%s%s", list, *list ? ", " : "", names[id]);
   }
-  const char *meant = diag_nearest(value->name, names, LSYS_ENVIRONMENT_COUNT - 1);
+  const char *meant = diag_nearest(value->name, names, LSYS_ENVIRONMENT_COUNT);
   if (meant)
     diag_error(check->diag, value->name_span, "unknown environment `%s`; did you mean `%s`?", value->name, meant);
   else
     diag_error(check->diag, value->name_span, "unknown environment `%s`", value->name);
   diag_hint(check->diag, "there are %s, and shared objects by their names in quotes", list);
-  return LSYS_ENVIRONMENT_NONE;
+  return LSYS_ENVIRONMENT_COUNT;
 }
 
 // The place of a parameter; LSYS_ENVIRONMENT_VALUES after an error.
@@ -67,8 +67,9 @@ void check_environment(Check *check, const AstStatement *statement) {
     program->environment = LSYS_ENVIRONMENT_FILE;
     program->environment_path = value->text;
   } else if (value->kind == AST_NAME || value->kind == AST_CALL) {
-    program->environment = environment_named(check, value);
-    if (program->environment == LSYS_ENVIRONMENT_NONE) return;
+    LsysEnvironmentId id = environment_named(check, value);
+    if (id == LSYS_ENVIRONMENT_COUNT) return;
+    program->environment = id;
     const LsysEnvironmentInfo *info = &lsys_environment_table[program->environment];
     memcpy(program->environment_value, info->value, sizeof info->value);
     for (size_t i = 0; i < value->args.count; i++) read_parameter(check, info, value->args.at[i]);
@@ -90,6 +91,5 @@ void check_queries(Check *check) {
     diag_error(check->diag, kind->span, "`%s` is no query: there are ?P, ?H, ?L, ?U, ?F, and ?E for the environment",
                kind->symbol);
   }
-  // cpfg's own environments are other programs: in its files nobody answers who is not named.
-  if (talks && !check->environment && !check->ast->rules.textual_macros) program->environment = LSYS_ENVIRONMENT_POINT;
+  if (talks && !check->environment && !check->ast->rules.no_environment) program->environment = LSYS_ENVIRONMENT_POINT;
 }

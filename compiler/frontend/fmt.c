@@ -366,6 +366,11 @@ static void print_all(Printer *printer, const char *at, const char *end) {
     printer->lines.blank = false;
     at = end;
   }
+  if (printer->adaption.no_environment) {
+    fmt_begin_line(&printer->lines);
+    fputs("environment: none", OUT(printer));
+    fmt_end_line(&printer->lines);
+  }
   for (size_t i = 0; i < printer->ast->statements.count; i++) {
     const AstStatement *statement = &printer->ast->statements.at[i];
     const char *text = fmt_text(&printer->writer, statement->span);

@@ -86,10 +86,29 @@ static void mark_useless(const Ast *ast, bool *omit) {
   }
 }
 
+static bool holds_message(const AstWord *word) {
+  for (size_t i = 0; i < word->modules.count; i++)
+    if (strcmp(word->modules.at[i].symbol, "?E") == 0) return true;
+  return false;
+}
+
+// Does something ask the environment, and no statement says which it is?
+static bool asks_nobody(const Ast *ast) {
+  bool asks = false;
+  for (size_t i = 0; i < ast->statements.count; i++) {
+    const AstStatement *statement = &ast->statements.at[i];
+    if (statement->kind == AST_ENVIRONMENT) return false;
+    for (size_t k = 0; k < statement->words.count; k++) asks |= holds_message(&statement->words.at[k]);
+    if (statement->production) asks |= holds_message(&statement->production->successor);
+  }
+  return asks;
+}
+
 FmtAdaption fmt_adapt(Arena *arena, const Ast *ast) {
-  FmtAdaption adaption = {arena_array(arena, ast->statements.count, sizeof(bool)),
-                          arena_array(arena, ast->statements.count, sizeof(bool))};
+  FmtAdaption adaption = {.omit = arena_array(arena, ast->statements.count, sizeof(bool)),
+                          .weigh = arena_array(arena, ast->statements.count, sizeof(bool))};
   if (ast->rules.unweighted_counts_one) mark_unweighted(arena, ast, adaption.weigh);
   if (ast->rules.last_ignore_counts) mark_useless(ast, adaption.omit);
+  adaption.no_environment = ast->rules.no_environment && asks_nobody(ast);
   return adaption;
 }

@@ -73,6 +73,7 @@ Ast *cpfg_parse(Arena *arena, Sources *sources, Diag *diag, const SourceFile *fi
                           .unweighted_counts_one = true,
                           .last_ignore_counts = true,
                           .idle_values = true,
+                          .no_environment = true,
                           .textual_macros = true};
   parser_finish(&parser);
   return ast;

@@ -181,7 +181,7 @@ static void settings(LsysHelp *help) {
 
 static void environments(LsysHelp *help) {
   lsys_help_title(help, "Environments of open L-systems, `environment: NAME(parameter=number)`");
-  for (int id = LSYS_ENVIRONMENT_NONE + 1; id < LSYS_ENVIRONMENT_COUNT; id++) {
+  for (int id = 0; id < LSYS_ENVIRONMENT_COUNT; id++) {
     const LsysEnvironmentInfo *info = &lsys_environment_table[id];
     char left[80];
     int at = snprintf(left, sizeof left, "%s", info->name);

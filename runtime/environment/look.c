@@ -39,7 +39,7 @@ static const LsysEnvironment built_in[LSYS_ENVIRONMENT_COUNT] = {
 };
 
 const LsysEnvironmentInfo lsys_environment_table[LSYS_ENVIRONMENT_COUNT] = {
-  [LSYS_ENVIRONMENT_NONE] = {"", {"", ""}, {0, 0}, ""},
+  [LSYS_ENVIRONMENT_NONE] = {"none", {"", ""}, {0, 0}, "?E keeps its arguments"},
 #define ENVIRONMENT(id, name, first, first_value, second, second_value, doc)                                           \
   [LSYS_ENVIRONMENT_##id] = {name, {first, second}, {first_value, second_value}, doc},
 #include "lsys/environments.def"
