@@ -42,6 +42,10 @@ Facts *facts_find(Arena *arena, const Program *program);
 // Productions by the kind of their (first) strict predecessor: one list per kind, each in file order.
 Productions *productions_by_kind(Arena *arena, const Program *program, const Productions *productions);
 
+// A bound on the modules of all words of a derivation of so many steps, images under the homomorphism included. Above
+// limit it may be any number that is.
+double work_bound(Arena *arena, const Program *program, const Facts *facts, uint64_t steps, double limit);
+
 // The descriptor of a grammar with everything but its function pointers, in
 // the arena. Code generation freezes it into constants, the interpreter and
 // the JIT use it as it is.

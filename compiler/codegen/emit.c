@@ -9,6 +9,20 @@
 
 static const Span nowhere = {0, 0};
 
+// What -O0 to -O3 mean. The emitted code needs no inliner and has few loops: variables to be lifted into registers and
+// what is computed twice are all that is worth looking for. default<O2> takes ten times as long and gains nothing on
+// the rows of benchmarks/ (docs/PERFORMANCE.md). Most of the time goes into selecting instructions, which -O1 does
+// quickly.
+static const struct {
+  const char *passes;
+  LLVMCodeGenOptLevel selection;
+} levels[] = {
+  {NULL, LLVMCodeGenLevelNone},
+  {"function(sroa,early-cse,simplifycfg)", LLVMCodeGenLevelNone},
+  {"function(sroa,early-cse,simplifycfg,instcombine<no-verify-fixpoint>,gvn,simplifycfg)", LLVMCodeGenLevelLess},
+  {"default<O3>", LLVMCodeGenLevelDefault},
+};
+
 static void initialise(bool all_targets) {
   if (all_targets) {
     LLVMInitializeAllTargetInfos();
@@ -35,8 +49,8 @@ LLVMTargetMachineRef emit_machine(const BackendOptions *options, bool this_machi
     diag_error(diag, nowhere, "cannot generate code for %s: %s", triple, why);
     LLVMDisposeMessage(why);
   } else {
-    LLVMCodeGenOptLevel level = (LLVMCodeGenOptLevel)options->optimise;
-    machine = LLVMCreateTargetMachine(target, triple, cpu, features, level, LLVMRelocPIC, LLVMCodeModelDefault);
+    LLVMCodeGenOptLevel selection = levels[options->optimise].selection;
+    machine = LLVMCreateTargetMachine(target, triple, cpu, features, selection, LLVMRelocPIC, LLVMCodeModelDefault);
     if (!machine) diag_error(diag, nowhere, "cannot generate code for %s", triple);
   }
   LLVMDisposeMessage(features);
@@ -60,10 +74,10 @@ bool emit_passes(Ir *ir, LLVMTargetMachineRef machine) {
   bool checked = true;
 #endif
   if (checked && !verify(ir)) return false;
-  static const char *const pipelines[] = {NULL, "default<O1>", "default<O2>", "default<O3>"};
-  if (ir->options->optimise == 0) return true;
+  const char *passes = levels[ir->options->optimise].passes;
+  if (!passes) return true;
   LLVMPassBuilderOptionsRef options = LLVMCreatePassBuilderOptions();
-  LLVMErrorRef error = LLVMRunPasses(ir->module, pipelines[ir->options->optimise], machine, options);
+  LLVMErrorRef error = LLVMRunPasses(ir->module, passes, machine, options);
   LLVMDisposePassBuilderOptions(options);
   if (!error) return true;
   char *why = LLVMGetErrorMessage(error);

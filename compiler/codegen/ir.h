@@ -194,6 +194,8 @@ typedef struct Rewrite {
   LLVMValueRef out;             // the stream
   LLVMValueRef cursor[3];       //   and variables that hold its cursors meanwhile, if not NULL
   bool roomy;                   //   it was made sure that there is room
+  uint32_t spare;               // there is room for that many modules
+  LLVMBasicBlockRef spare_in;   //   in this block
   LLVMValueRef ahead;           // WAY_EXPAND: steps before out->stop
   LLVMValueRef steps;           // WAY_EXPAND: steps left, this one included; WAY_DECOMPOSE: behind this step
   LLVMValueRef depth;           // levels left, this one included; NULL in WAY_EXPAND
@@ -260,8 +262,8 @@ unsigned line_cursor_types(const Ir *ir, LLVMTypeRef *types);  // their number, 
 LLVMTypeRef line_result_type(const Ir *ir);
 void line_begin(Rewrite *rewrite, LLVMValueRef function, unsigned first);  // from parameters to variables
 unsigned line_cursors(const Rewrite *rewrite, LLVMValueRef *values);       // what to pass to a call
-void line_resume(const Rewrite *rewrite, LLVMValueRef result);             // go on where a call ended
-void line_return(const Rewrite *rewrite);
+void line_resume(Rewrite *rewrite, LLVMValueRef result);             // go on where a call ended
+void line_return(Rewrite *rewrite);
 // One module whose symbol is known at run time only.
 void line_copy(Rewrite *rewrite, LLVMValueRef symbol, LLVMValueRef *args, uint32_t arity, LLVMValueRef key);
 

@@ -1,5 +1,8 @@
 // line.c -- a row of modules written with one check for room.
 //
+// A rewriting function returns with room for SPARE modules, so that what its
+// caller writes up to the next call needs no check.
+//
 // The symbols are constants, copied from a constant of rounded-up size: the
 // stores behind the last symbol hit room that the check includes and that the
 // next line overwrites. Arguments and keys are stored one by one.
@@ -9,6 +12,8 @@
 
 // Longer rows are cut, so that a chunk need not hold a whole long successor.
 #define LONGEST_LINE 256
+
+#define SPARE 16
 
 static LLVMTypeRef element(const Ir *ir, unsigned stream) {
   return stream == STREAM_SYM ? ir->types.symbol : stream == STREAM_ARG ? ir->types.f64 : ir->types.i64;
@@ -37,14 +42,6 @@ void line_settle(const Rewrite *rewrite) {
   Ir *ir = rewrite->scope.ir;
   for (unsigned s = 0; s < 3; s++)
     if (rewrite->cursor[s]) ir_store(ir, cursor_now(rewrite, s), rewrite->out, ir->types.stream, s);
-}
-
-void line_write_out(const Rewrite *rewrite) {
-  Ir *ir = rewrite->scope.ir;
-  LLVMValueRef lsys_flush = ir_runtime(ir, "lsys_flush", ir->types.none, &ir->types.ptr, 1, IR_ANY), out = rewrite->out;
-  line_settle(rewrite);
-  ir_call(ir, lsys_flush, &out, 1);
-  line_fetch(rewrite);
 }
 
 // ---- cursors between functions -------------------------------------------------
@@ -78,14 +75,13 @@ void line_begin(Rewrite *rewrite, LLVMValueRef function, unsigned first) {
   }
 }
 
-void line_return(const Rewrite *rewrite) {
-  Ir *ir = rewrite->scope.ir;
+static void give_back(const Rewrite *rewrite) {
   LLVMValueRef values[3];
   unsigned n = line_cursors(rewrite, values);
-  LLVMBuildAggregateRet(ir->builder, values, n);
+  LLVMBuildAggregateRet(rewrite->scope.ir->builder, values, n);
 }
 
-void line_resume(const Rewrite *rewrite, LLVMValueRef result) {
+static void take_back(const Rewrite *rewrite, LLVMValueRef result) {
   Ir *ir = rewrite->scope.ir;
   unsigned n = 0;
   for (unsigned s = 0; s < 3; s++)
@@ -95,15 +91,58 @@ void line_resume(const Rewrite *rewrite, LLVMValueRef result) {
 
 // ---- room ------------------------------------------------------------------------
 
+// flush(out, cursors) returns the cursors behind lsys_flush: a function of the module's own, so that the many places
+// that ask for room are one call each.
+static LLVMValueRef flush_function(Ir *ir) {
+  LLVMValueRef function = LLVMGetNamedFunction(ir->module, "flush");
+  if (function) return function;
+  LLVMBasicBlockRef here = LLVMGetInsertBlock(ir->builder);
+  LLVMMetadataRef location = LLVMGetCurrentDebugLocation2(ir->builder);
+  LLVMTypeRef types[4] = {ir->types.ptr};
+  unsigned count = 1 + line_cursor_types(ir, types + 1);
+  function = LLVMAddFunction(ir->module, "flush", LLVMFunctionType(line_result_type(ir), types, count, false));
+  LLVMSetLinkage(function, LLVMInternalLinkage);
+  ir_attribute(ir, function, LLVMAttributeFunctionIndex, "nounwind");
+  ir_attribute(ir, function, LLVMAttributeFunctionIndex, "cold");
+  ir_attribute(ir, function, LLVMAttributeFunctionIndex, "noinline");
+  LLVMSetCurrentDebugLocation2(ir->builder, NULL);
+  ir_at(ir, LLVMAppendBasicBlockInContext(ir->context, function, "entry"));
+  Rewrite rewrite = {.scope = {.ir = ir}, .out = LLVMGetParam(function, 0)};
+  line_begin(&rewrite, function, 1);
+  line_settle(&rewrite);
+  ir_call(ir, ir_runtime(ir, "lsys_flush", ir->types.none, types, 1, IR_ANY), &rewrite.out, 1);
+  line_fetch(&rewrite);
+  give_back(&rewrite);
+  ir_at(ir, here);
+  LLVMSetCurrentDebugLocation2(ir->builder, location);
+  return function;
+}
+
+void line_write_out(const Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef values[4] = {rewrite->out};
+  unsigned count = 1 + line_cursors(rewrite, values + 1);
+  take_back(rewrite, ir_call(ir, flush_function(ir), values, count));
+}
+
 // Lines are rounded up.
 uint64_t line_most(uint64_t n) {
   return n + 16 * (n / LONGEST_LINE + 1);
 }
 
-// Room for count modules, remembered as what the descriptor must promise.
-static void reserve(Rewrite *rewrite, uint32_t count) {
+// From here to the end of the block there is room for that many modules.
+static void set_spare(Rewrite *rewrite, uint32_t count) {
+  rewrite->spare = count;
+  rewrite->spare_in = LLVMGetInsertBlock(rewrite->scope.ir->builder);
+}
+
+static bool has_spare(const Rewrite *rewrite, uint32_t count) {
+  return rewrite->spare_in == LLVMGetInsertBlock(rewrite->scope.ir->builder) && rewrite->spare >= count;
+}
+
+// Makes sure that there is room for count modules. What is asked for is remembered: the descriptor must promise it.
+static void ask_room(Rewrite *rewrite, uint32_t count) {
   Ir *ir = rewrite->scope.ir;
-  if (rewrite->roomy) return;
   if (ir->room_sym < count) ir->room_sym = count;
   LLVMValueRef at = cursor_now(rewrite, STREAM_SYM);
   LLVMValueRef limit = ir_load(ir, ir->types.ptr, rewrite->out, ir->types.stream, STREAM_SYM_LIMIT);
@@ -114,6 +153,26 @@ static void reserve(Rewrite *rewrite, uint32_t count) {
   line_write_out(rewrite);
   LLVMBuildBr(ir->builder, room);
   ir_at(ir, room);
+  set_spare(rewrite, count);
+}
+
+// Room for count modules and what is to be spare behind them.
+static void reserve(Rewrite *rewrite, uint32_t count) {
+  if (!rewrite->roomy && !has_spare(rewrite, count)) ask_room(rewrite, count + SPARE);
+}
+
+static void use_room(Rewrite *rewrite, uint32_t count) {
+  rewrite->spare -= rewrite->roomy ? 0 : count;
+}
+
+void line_return(Rewrite *rewrite) {
+  if (!has_spare(rewrite, SPARE)) ask_room(rewrite, SPARE);
+  give_back(rewrite);
+}
+
+void line_resume(Rewrite *rewrite, LLVMValueRef result) {
+  take_back(rewrite, result);
+  set_spare(rewrite, SPARE);
 }
 
 // The size that is copied for count symbols: a power of two, then a multiple of 16 bytes.
@@ -171,6 +230,7 @@ void line_flush(Rewrite *rewrite) {
   LLVMValueRef cursor = cursor_now(rewrite, STREAM_SYM);
   store_symbols(rewrite, cursor, copied, width);
   advance(rewrite, STREAM_SYM, cursor, line->kinds.count);
+  use_room(rewrite, (uint32_t)line->kinds.count);
   store_row(rewrite, STREAM_ARG, line->args.at, line->args.count);
   store_row(rewrite, STREAM_KEY, line->keys.at, line->keys.count);
   line->kinds.count = line->args.count = line->keys.count = 0;
@@ -191,6 +251,7 @@ void line_copy(Rewrite *rewrite, LLVMValueRef symbol, LLVMValueRef *args, uint32
   LLVMValueRef cursor = cursor_now(rewrite, STREAM_SYM);
   LLVMSetAlignment(LLVMBuildStore(ir->builder, symbol, cursor), 1);
   advance(rewrite, STREAM_SYM, cursor, 1);
+  use_room(rewrite, 1);
   store_row(rewrite, STREAM_ARG, args, arity);
   store_row(rewrite, STREAM_KEY, &key, key && !rewrite->silent);
 }

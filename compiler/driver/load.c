@@ -33,7 +33,7 @@ const Backend *backend_load(Arena *arena, const char *home) {
 
 const Backend *backend_load(Arena *arena, const char *home) {
   const char *path = arena_printf(arena, "%s/lsysc-llvm.so", home);
-  void *module = dlopen(path, RTLD_NOW | RTLD_LOCAL);  // stays loaded until the process ends
+  void *module = dlopen(path, RTLD_LAZY | RTLD_LOCAL);  // stays loaded until the process ends
   const Backend *backend = module ? dlsym(module, "lsysc_backend") : NULL;
   if (!backend)
     report_error("cannot load the code generator: %s\n"

@@ -63,11 +63,32 @@ static int run_program(const Session *session, const LsysGrammar *grammar) {
   return lsys_main(grammar, (int)count, argv);
 }
 
+// How many modules code must write before it is worth its optimiser's time: about what code that was hardly optimised
+// writes while more would be done about it.
+#define WORTH_OPTIMISING 2e6
+
+// What `run` does without -O: code for a short derivation is wanted at once.
+static unsigned level_for(const Session *session) {
+  const Options *options = session->options;
+  const Expr *setting = session->checked->settings[LSYS_SETTING_STEPS];
+  uint64_t steps;
+  double given;
+  if (options->optimise_given) return options->backend.optimise;
+  if (!lsys_steps_asked((int)options->passed.count, (char **)options->passed.at, &steps)) {
+    if (!setting || !expr_constant(session->checked, setting, &given) || !(given >= 0 && given < 1e9)) return 2;
+    steps = (uint64_t)given;
+  }
+  double work = work_bound(session->arena, session->checked, session->facts, steps, WORTH_OPTIMISING);
+  return work <= WORTH_OPTIMISING ? 1 : 2;
+}
+
 static int run_jit(const Session *session) {
   const Backend *backend = backend_load(session->arena, home_find(session->arena));
   if (!backend) return EXIT_FAILURE;
-  Jit *jit = backend->jit(session->checked, session->facts, session->description, &session->options->backend,
-                          lsys_symbols, lsys_symbol_count, session->diag);
+  BackendOptions how = session->options->backend;
+  how.optimise = level_for(session);
+  Jit *jit = backend->jit(session->checked, session->facts, session->description, &how, lsys_symbols, lsys_symbol_count,
+                          session->diag);
   if (!jit) return EXIT_FAILURE;
   int status = run_program(session, backend->jit_grammar(jit));
   backend->jit_free(jit);

@@ -73,6 +73,7 @@ static bool apply(Reader *reader, OptionId id, const char *value, int place) {
     break;
   case OPTION_OPTIMISE:
     options->backend.optimise = (unsigned)place;
+    options->optimise_given = true;
     break;
   case OPTION_DEBUG:
     options->backend.debug = true;

@@ -46,6 +46,7 @@ typedef struct Options {
   const char *output;  // -o; NULL: from the file's name
   bool program;        // link a program; otherwise backend.emit says what to write
   BackendOptions backend;
+  bool optimise_given;  // -O
   const char *linker;
   ParseOptions parse;
   DiagOptions diag;

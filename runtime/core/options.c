@@ -81,10 +81,7 @@ static void unknown(const char *argument) {
 // Finds argument in the table; *attached is the text that follows it in the same argument, or NULL.
 static const LsysOptionInfo *find(const char *argument, const char **attached) {
   *attached = NULL;
-  if (argument[0] != '-' || !argument[1]) {
-    lsys_error("'%s' is not an option; a file is named with -o", argument);
-    return NULL;
-  }
+  if (argument[0] != '-' || !argument[1]) return NULL;
   bool is_long = argument[1] == '-';
   for (int i = 0; i < LSYS_OPTION_COUNT_; i++) {
     const LsysOptionInfo *info = &lsys_options[i];
@@ -95,11 +92,25 @@ static const LsysOptionInfo *find(const char *argument, const char **attached) {
     if (*rest) *attached = is_long ? rest + 1 : rest;
     return info;
   }
-  if (is_long)
+  return NULL;
+}
+
+static void not_found(const char *argument) {
+  if (argument[0] != '-' || !argument[1])
+    lsys_error("'%s' is not an option; a file is named with -o", argument);
+  else if (argument[1] == '-')
     unknown(argument);
   else
     lsys_error("unknown option %.2s; --help lists the options", argument);
-  return NULL;
+}
+
+// The option that argv[*i] names, *i then being the last argument that belongs to it; NULL if it names none.
+static const LsysOptionInfo *next(int argc, char **argv, int *i, const char **text) {
+  const LsysOptionInfo *info = find(argv[*i], text);
+  if (!info) return NULL;
+  bool optional = info->type == LSYS_OPTION_SUBJECT;
+  if (info->argument && !*text && *i + 1 < argc && !(optional && argv[*i + 1][0] == '-')) *text = argv[++*i];
+  return info;
 }
 
 bool lsys_options_parse(LsysOptions *options, int argc, char **argv) {
@@ -109,22 +120,33 @@ bool lsys_options_parse(LsysOptions *options, int argc, char **argv) {
     return false;
   }
   for (int i = 0; i < argc; i++) {
-    const char *text;
-    const LsysOptionInfo *info = find(argv[i], &text);
-    if (!info) return false;
-    bool optional = info->type == LSYS_OPTION_SUBJECT;
-    if (!info->argument && text) {
-      lsys_error("%s: --%s takes no argument", argv[i], info->name);
+    const char *text, *argument = argv[i];
+    const LsysOptionInfo *info = next(argc, argv, &i, &text);
+    if (!info) {
+      not_found(argument);
       return false;
     }
-    if (info->argument && !text && i + 1 < argc && !(optional && argv[i + 1][0] == '-')) text = argv[++i];
-    if (info->argument && !text && !optional) {
-      lsys_error("%s wants %s behind it", argv[i], info->argument);
+    if (!info->argument && text) {
+      lsys_error("%s: --%s takes no argument", argument, info->name);
+      return false;
+    }
+    if (info->argument && !text && info->type != LSYS_OPTION_SUBJECT) {
+      lsys_error("%s wants %s behind it", argument, info->argument);
       return false;
     }
     if (!store(options, info, text)) return false;
   }
   return true;
+}
+
+bool lsys_steps_asked(int argc, char **argv, uint64_t *steps) {
+  bool asked = false;
+  for (int i = 0; i < argc; i++) {
+    const char *text, *end;
+    const LsysOptionInfo *info = next(argc, argv, &i, &text);
+    if (info && info->option == LSYS_OPTION_STEPS && text) asked = parse_whole(text, steps, &end);
+  }
+  return asked;
 }
 
 void lsys_options_free(LsysOptions *options) {

@@ -270,4 +270,7 @@ extern const size_t lsys_symbol_count;
 // The command line of a compiled program around a grammar (options.def); returns the exit status.
 int lsys_main(const LsysGrammar *grammar, int argc, char **argv);
 
+// The number of steps that arguments of a program (without its name) ask for; false if they do not. Prints nothing.
+bool lsys_steps_asked(int argc, char **argv, uint64_t *steps);
+
 #endif
