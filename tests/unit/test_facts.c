@@ -124,8 +124,27 @@ static void test_describe(void **state) {
   grammar_free(&g);
 }
 
+static double work(Grammar *grammar, uint64_t steps) {
+  return work_bound(grammar->arena, grammar->program, grammar->facts, steps, 1e6);
+}
+
+// All words of a derivation together, whatever guards and chances do.
+static void test_work(void **state) {
+  (void)state;
+  Grammar g = grammar_read("axiom: AA\nA -> AB : 1\nA -> A : 3\n");
+  assert_true(work(&g, 0) == 2);
+  assert_true(work(&g, 3) == 2 + 4 + 6 + 8);
+  assert_true(work(&g, 100000) > 1e6);
+  grammar_free(&g);
+  g = grammar_read("axiom: A\nA -> AA\ndecomposition\nA -> AB\nhomomorphism\nB -> FF\n");
+  assert_true(work(&g, 1) == 1 + 2 * 3);
+  assert_true(work(&g, 50) > 1e6);
+  grammar_free(&g);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_work),
     cmocka_unit_test(test_reachable),
     cmocka_unit_test(test_keys),
     cmocka_unit_test(test_keys_of_homomorphism),
