@@ -24,7 +24,7 @@ bool bench_wants(const Options *options, const char *row) {
 }
 
 static int usage(FILE *to, int status) {
-  fputs("usage: bench [--json] [--runs N] [--only ROW] [GROUP...]\n", to);
+  fputs("usage: bench [--json | --markdown] [--runs N] [--only ROW] [GROUP...]\n", to);
   for (int i = 0; i < GROUPS; i++) fprintf(to, "  %-8s %s\n", groups[i].name, groups[i].doc);
   fputs("times C, x memcpy: how many times as long the other side takes (above 1: lsysc is faster)\n"
         "first: the first write to each page is part of the time; warm: it is not; sum: streamed, not stored\n",
@@ -48,6 +48,8 @@ int main(int argc, char **argv) {
       wanted[group] = any = true;
     else if (strcmp(argv[i], "--json") == 0)
       options.json = true;
+    else if (strcmp(argv[i], "--markdown") == 0)
+      options.markdown = true;
     else if (strcmp(argv[i], "--runs") == 0 && more)
       options.runs = (unsigned)atoi(argv[++i]);
     else if (strcmp(argv[i], "--only") == 0 && more)

@@ -95,6 +95,9 @@ static void print_row(const Options *options, const Contest *contest, const char
            "\"seconds\":%.6g,\"modules_per_second\":%.6g,\"times_c\":%.4g,\"times_memcpy\":%.4g}\n",
            contest->row->name, contest->row->work, pages, contest->row->steps, modules, contest->bytes, ours,
            modules / ours, theirs, copy);
+  else if (options->markdown)
+    printf("| %s | %s | %s | %.0f | %.0f | %.2f | %.2f |\n", contest->row->name, contest->row->work, pages, modules,
+           modules / ours / 1e6, theirs, copy);
   else
     printf("%-14s %-5s %12.0f %8.1f %9.1f %9.2f %9.2f   %s\n", contest->row->name, pages, modules,
            (double)contest->bytes / 1e6, modules / ours / 1e6, theirs, copy, contest->row->work);
@@ -146,7 +149,10 @@ static void run_row(const Options *options, const Row *row) {
 }
 
 void bench_words(const Options *options) {
-  if (!options->json)
+  if (options->markdown)
+    printf("| row | work | pages | modules | M modules/s | times C | x memcpy |\n"
+           "| --- | --- | --- | --- | --- | --- | --- |\n");
+  else if (!options->json)
     printf("%-14s %-5s %12s %8s %9s %9s %9s\n", "row", "pages", "modules", "MB", "M mod/s", "times C", "x memcpy");
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
     if (bench_wants(options, rows[i].name)) run_row(options, &rows[i]);
