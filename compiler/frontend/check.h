@@ -175,7 +175,8 @@ typedef struct Check {
   VEC(Samples) samples;
   VEC(const char *) splines, curves;  // the names of functions and curves, in the order of their numbers
   bool unread[2];                     // some function, some curve could not be read
-  uint32_t chains[4];                 // 1 + the function behind func, curveX, curveY, curveZ; 0: there is none
+  VEC(double) curve_lengths;
+  uint32_t chains[4];  // 1 + the function behind func, curveX, curveY, curveZ; 0: there is none
 
   VEC(Word) axioms;
   VEC(Surface) surfaces;
@@ -257,7 +258,7 @@ void check_queries(Check *check);  // once all kinds are known
 void functions_collect(Check *check, const AstStatement *statement);
 void functions_collected(Check *check);
 void functions_read(Check *check);
-// A call as it is computed: `func(growth, x)` is `growth(x)`. NULL after an error.
+// A call as it is computed: `func(growth, x)` is `growth(x)`, `curveGAL(n)` a number. NULL after an error.
 const AstExpr *functions_call(Check *check, const AstExpr *ast);
 bool functions_are_meant(const char *name);  // `func`, `curveX`, ...
 

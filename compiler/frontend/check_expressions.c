@@ -194,6 +194,7 @@ static Expr *apply(Check *check, const AstExpr *ast, Definition *definition) {
 static Expr *called(Check *check, const AstExpr *call_ast) {
   const AstExpr *ast = functions_call(check, call_ast);
   if (!ast) return check->poison;
+  if (ast->kind == AST_NUMBER) return number(check, ast->number, ast->span);
   Name *name = name_intern(check, ast->name);
   Definition *definition = name_definition(check, name);
   LsysFunction function = function_named(ast->name);

@@ -4,6 +4,7 @@
 //
 //   NAME(x)      f(x) of a function, x kept within its range; nan of nan
 //   func(n, x)   the same by number, from 1 in file order, or by name
+//   curveGAL(n)  the length of a curve, n known when the grammar is compiled
 //   curveX(n, s) curveY curveZ    a curve's place at s of 0 to 1, in parts of its length
 //
 // The names of what only these statements make hold a dot, which no name of a grammar does.
@@ -121,7 +122,7 @@ static bool is_free(Check *check, const AstStatement *statement) {
 static void collect_curve(Check *check, const AstStatement *statement, const Spline *spline) {
   double *values[3];
   for (int c = 0; c < 3; c++) values[c] = arena_array(check->arena, spline->samples + 1u, sizeof(double));
-  spline_curve(check->arena, spline, values);
+  *VEC_PUSH(check->arena, &check->curve_lengths) = spline_curve(check->arena, spline, values);
   for (int c = 0; c < 3; c++)
     new_table(check, arena_printf(check->arena, "%s.%c", statement->name, "xyz"[c]), values[c], spline->samples,
               statement->span);
@@ -265,7 +266,7 @@ static int chain_named(const char *name) {
 }
 
 bool functions_are_meant(const char *name) {
-  return chain_named(name) >= 0;
+  return chain_named(name) >= 0 || strcmp(name, "curveGAL") == 0;
 }
 
 // The number that a name or a constant as the first argument is; 0: it is neither.
@@ -277,7 +278,21 @@ static size_t number_of(Check *check, const AstExpr *id, const char *const *name
   return 0;
 }
 
+// curveGAL(n) is a number.
+static const AstExpr *curve_length(Check *check, const AstExpr *ast) {
+  if (check->unread[true]) return NULL;  // was reported
+  if (!check->curves.count || ast->args.count != 1) return ast;
+  const AstExpr *id = ast->args.at[0];
+  size_t which = number_of(check, id, check->curves.at, check->curves.count);
+  AstBuilder build = {check->arena, check->diag};
+  if (which) return ast_number(build, ast->span, check->curve_lengths.at[which - 1]);
+  diag_error(check->diag, id->span, "`curveGAL` takes the name of a curve or its number, 1 to %zu",
+             check->curves.count);
+  return NULL;
+}
+
 const AstExpr *functions_call(Check *check, const AstExpr *ast) {
+  if (strcmp(ast->name, "curveGAL") == 0) return curve_length(check, ast);
   int chain = chain_named(ast->name);
   bool curve = chain > 0;
   if (chain >= 0 && check->unread[curve]) return NULL;  // was reported

@@ -195,7 +195,7 @@ static double distance(SplinePoint a, SplinePoint b) {
   return sqrt(x * x + y * y + z * z);
 }
 
-void spline_curve(Arena *arena, const Spline *spline, double *const values[3]) {
+double spline_curve(Arena *arena, const Spline *spline, double *const values[3]) {
   enum { STEPS = 16 };  // of measuring, for each sample
   size_t steps = (size_t)STEPS * spline->samples, at = 0;
   double *length = arena_array(arena, steps + 1, sizeof *length);
@@ -210,4 +210,5 @@ void spline_curve(Arena *arena, const Spline *spline, double *const values[3]) {
     SplinePoint p = spline_at(spline, i == spline->samples ? 1 : ((double)at + share) / (double)steps);
     for (int c = 0; c < 3; c++) values[c][i] = p.at[c];
   }
+  return length[steps];
 }

@@ -30,7 +30,7 @@ bool splines_read(Arena *arena, const char *path, bool curves, Splines *splines,
 // A function's first and last x, and its y at samples + 1 places from one to the other.
 void spline_function(const Spline *spline, double range[2], double *values);
 
-// A curve's coordinates at samples + 1 places that are equally far from each other along it.
-void spline_curve(Arena *arena, const Spline *spline, double *const values[3]);
+// A curve's coordinates at samples + 1 places that are equally far from each other along it; returns its length.
+double spline_curve(Arena *arena, const Spline *spline, double *const values[3]);
 
 #endif
