@@ -1,6 +1,6 @@
 // picture.h -- figures on a page: a sink that measures the word's figures in a
 // first pass, fits them side by side to a page, and draws them in a second one
-// to a canvas (SVG, PNG) that knows pixels only.
+// to a canvas (SVG, PDF, PNG) that knows pixels only.
 #ifndef LSYS_SINKS_PICTURE_H
 #define LSYS_SINKS_PICTURE_H
 
@@ -73,6 +73,7 @@ LsysCanvas *lsys_canvas_sorted(LsysCanvas *inner);
 // Sinks over an output; the output is not committed. NULL after printing why.
 struct LsysOut;
 LsysSink *lsys_svg_create(struct LsysOut *out, const LsysPictureOptions *options);
+LsysSink *lsys_pdf_create(struct LsysOut *out, const LsysPictureOptions *options);
 LsysSink *lsys_png_create(struct LsysOut *out, const LsysPictureOptions *options);
 
 #endif

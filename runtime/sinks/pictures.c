@@ -91,16 +91,21 @@ bool lsys_picture_options(const LsysOptions *given, LsysPictureOptions *options)
       && read_line_width(&given->at[LSYS_OPTION_LINE_WIDTH], options);
 }
 
-LsysSink *lsys_sink_svg(const LsysSinkContext *context) {
+static LsysSink *make(const LsysSinkContext *context, LsysSink *create(LsysOut *, const LsysPictureOptions *)) {
   LsysPictureOptions options;
   if (!lsys_picture_options(context->options, &options)) return NULL;
   options.film = context->film;
-  return lsys_svg_create(context->out, &options);
+  return create(context->out, &options);
+}
+
+LsysSink *lsys_sink_svg(const LsysSinkContext *context) {
+  return make(context, lsys_svg_create);
+}
+
+LsysSink *lsys_sink_pdf(const LsysSinkContext *context) {
+  return make(context, lsys_pdf_create);
 }
 
 LsysSink *lsys_sink_png(const LsysSinkContext *context) {
-  LsysPictureOptions options;
-  if (!lsys_picture_options(context->options, &options)) return NULL;
-  options.film = context->film;
-  return lsys_png_create(context->out, &options);
+  return make(context, lsys_png_create);
 }

@@ -4,6 +4,7 @@
 // or writes one that parses. TURTLE_FUZZ=N tries N words instead of some.
 #include "lsys/abi.h"
 #include "lsys/keys.h"
+#include "pdf.h"
 #include "sample.h"
 
 #include <ctype.h>
@@ -167,6 +168,13 @@ static const char *check_svg(const File *f) {
   return depth ? "has a tag that is not closed" : NULL;
 }
 
+static const char *check_pdf(const File *f) {
+  PdfFile pdf;
+  const char *why = pdf_read(&pdf, f->bytes, f->size);
+  free(pdf.content);
+  return why;
+}
+
 static const char *check_png(const File *f) {
   png_image image = {.version = PNG_IMAGE_VERSION};
   if (!png_image_begin_read_from_memory(&image, f->bytes, f->size)) return "is no PNG";
@@ -270,6 +278,8 @@ static const Format formats[] = {
   {"fuzz.svg", check_svg, {NULL}},
   {"fuzz.svg", check_svg, {"--colour-by", "progress", NULL}},
   {"fuzz.svg", check_svg, {"--projection", "perspective", NULL}},
+  {"fuzz.pdf", check_pdf, {NULL}},
+  {"fuzz.pdf", check_pdf, {"--projection=perspective", NULL}},
   {"fuzz.png", check_png, {"--size", "60x40", NULL}},
   {"fuzz.png", check_png, {"--size", "70", "--camera=20,30", NULL}},
   {"fuzz.png", check_png, {"--size", "9x90", "--background=transparent", NULL}},

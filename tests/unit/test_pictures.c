@@ -1,6 +1,7 @@
-// test_pictures.c -- SVG and PNG files of hand-packed words, read back: numbers
-// in the path data, pixels on and beside lines.
+// test_pictures.c -- SVG, PDF and PNG files of hand-packed words, read back:
+// numbers in the path data, operators of a page, pixels on and beside lines.
 #include "core/out.h"
+#include "pdf.h"
 #include "sample.h"
 #include "sinks/picture.h"
 
@@ -113,6 +114,69 @@ static void colours_by_progress_and_order(void **state) {
   free(text);
 }
 
+// The page of the PDF that a word gives; its content is to be freed.
+static PdfFile pdf_of(const char *word, double angle, const LsysPictureOptions *options) {
+  static uint8_t bytes[1 << 20];
+  Sample *s = sample(word, angle);
+  assert_true(draw(s, lsys_pdf_create, options));
+  sample_release(s);
+  FILE *file = fopen(PATH, "rb");
+  size_t size = fread(bytes, 1, sizeof bytes - 1, file);
+  fclose(file);
+  unlink(PATH);
+  bytes[size] = 0;
+  PdfFile pdf;
+  const char *why = pdf_read(&pdf, bytes, size);
+  if (why) fail_msg("the PDF of %s %s", word, why);
+  return pdf;
+}
+
+// A pixel is 3/4 of a point; y goes down; connected lines are one path.
+static void pdf_draws_what_svg_draws(void **state) {
+  (void)state;
+  PdfFile pdf = pdf_of("F-F-F-F", 90, &lsys_picture_defaults);
+  assert_true(pdf.box[0] == 0 && pdf.box[1] == 0 && pdf.box[2] == 750 && pdf.box[3] == 750);
+  assert_holds(pdf.content, "0.75 0 0 -0.75 0 750 cm\n1 J 1 j\n1 1 1 rg\n0 0 1000 1000 re f\n");
+  assert_holds(pdf.content, "40 960 m\n40 40 l\n960 40 l\n960 960 l\n40 960 l\nS\n");
+  assert_int_equal(pdf.count['m'], 1);
+  assert_int_equal(pdf.count['l'], 4);
+  assert_int_equal(pdf.count['S'], 1);
+  free(pdf.content);
+}
+
+static void pdf_has_inks_and_polygons(void **state) {
+  (void)state;
+  LsysPictureOptions options = lsys_picture_defaults;
+  options.width = options.height = 100;
+  options.line_width = 2;
+  options.transparent = true;
+  options.colours.list = "#ff0000,#008000";
+  PdfFile pdf = pdf_of("F[;F]F[;{+f+f+f}]!(3)F@o", 90, &options);
+  assert_holds(pdf.content, "1 0 0 RG\n2.000 w\n");
+  assert_holds(pdf.content, "0 0.502 0 RG\n2.000 w\n");
+  assert_holds(pdf.content, "1 0 0 RG\n6.000 w\n");
+  assert_holds(pdf.content, "0 0.502 0 rg\n");
+  assert_null(strstr(pdf.content, "re f"));
+  assert_int_equal(pdf.count['f'], 1);
+  free(pdf.content);
+}
+
+// What was drawn fills more than one buffer of the compression; a page longer than 14400 units has bigger ones.
+static void pdf_may_be_big(void **state) {
+  (void)state;
+  LsysPictureOptions options = lsys_picture_defaults;
+  options.width = options.height = 60000;
+  enum { TURNS = 20000 };
+  char *word = malloc(4 * TURNS + 1), *at = word;
+  for (int i = 0; i < TURNS; i++) at = stpcpy(at, i % 3 ? "F-" : "F+F");
+  PdfFile pdf = pdf_of(word, 7, &options);
+  assert_true(pdf.box[2] == 11250);  // 45000 points in units of 4
+  assert_int_equal(pdf.count['l'], TURNS + (TURNS + 2) / 3);
+  assert_int_equal(pdf.count['m'], pdf.count['S']);
+  free(pdf.content);
+  free(word);
+}
+
 // Pixels of the PNG that a word gives, RGBA; to be freed.
 static uint8_t *png_of(const char *word, double angle, const LsysPictureOptions *options) {
   Sample *s = sample(word, angle);
@@ -190,6 +254,9 @@ int main(void) {
     cmocka_unit_test(png_covers_lines),
     cmocka_unit_test(nothing_and_too_much),
     cmocka_unit_test(colours_by_progress_and_order),
+    cmocka_unit_test(pdf_draws_what_svg_draws),
+    cmocka_unit_test(pdf_has_inks_and_polygons),
+    cmocka_unit_test(pdf_may_be_big),
     cmocka_unit_test(png_smooths_edges),
     cmocka_unit_test(png_fills_polygons),
   };

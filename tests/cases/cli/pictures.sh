@@ -2,11 +2,12 @@
 printf 'axiom: F\nF --> F[+F]F[-F]F\nangle: 25.7\nsteps: 3\n' > plant.lsys
 printf 'axiom: A\nA --> F&[FA]/A\nangle: 30\nsteps: 3\n' > bush.lsys
 lsysc plant.lsys && lsysc bush.lsys
-for format in svg png ply glb json; do
+for format in svg pdf png ply glb json; do
   ./bush -o bush.$format && ./bush --format $format > stdout.$format && cmp bush.$format stdout.$format
 done
 ./bush -o bush.obj && head -n 2 bush.obj && head -n 1 bush.mtl
 ls
+head -c 8 bush.pdf; echo
 head -c 4 bush.png | tail -c 3 && echo
 head -n 2 bush.ply | tail -n 1
 head -c 4 bush.glb && echo
