@@ -159,9 +159,10 @@ bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar
   run->births = by->given && strcmp(by->text, "age") == 0;
   if (run->births && !lsys_births_possible(grammar)) return false;
   run->root = lsys_root(seed->given ? seed->whole : grammar->seed);
+  if (!choose_threads(derivation, options)) return false;
+  run->threads = derivation->threads;
   return initialise_values(&derivation->worker, options) && choose_steps(run, options)
-      && choose_axioms(derivation, options) && choose_threads(derivation, options)
-      && choose_engine(derivation, options);
+      && choose_axioms(derivation, options) && choose_engine(derivation, options);
 }
 
 void lsys_derivation_close(LsysDerivation *derivation) {

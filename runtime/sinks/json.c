@@ -5,19 +5,32 @@
 #include "core/formats.h"
 #include "core/message.h"
 #include "lsys/number.h"
+#include "sinks/press.h"
 #include "sinks/spool.h"
 #include "turtle/turtle.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
+enum { BLOCK = 1024 };  // segments that are made into text at once
+
+typedef struct Segment {
+  LsysVec3 from, to;
+  double width;
+  uint32_t mark;
+  uint8_t colour;
+  bool later;  // than the first one of its figure
+} Segment;
+
 typedef struct JsonSink {
   LsysSink sink;
   LsysGeometry geometry;
   LsysOut *out;
   LsysTurtle *turtle;
+  LsysPress *press;  // of segments
   LsysSpool polygons;
-  bool later_figure, later_segment, later_polygon;
+  uint64_t segments;  // of the figure
+  bool later_figure, later_polygon;
 } JsonSink;
 
 static JsonSink *sink_of(LsysGeometry *geometry) {
@@ -38,25 +51,47 @@ static char *put_point(char *to, const LsysVec3 *p) {
   return put_real(to, p->z);
 }
 
+static bool put_segments(const void *data, const void *block, size_t size, LsysPrepared *to) {
+  (void)data;
+  const Segment *segment = block;
+  for (size_t i = 0; i < size / sizeof *segment; i++) {
+    const Segment *s = &segment[i];
+    char *room = lsys_prepared_room(to, 16 * LSYS_NUMBER_SIZE), *at = room;
+    if (!room) return false;
+    if (s->later) *at++ = ',';
+    *at++ = '\n';
+    *at++ = '[';
+    at = put_point(at, &s->from);
+    *at++ = ',';
+    at = put_point(at, &s->to);
+    *at++ = ',';
+    at = put_real(at, s->width);
+    *at++ = ',';
+    at = lsys_whole_print(at, s->colour);
+    *at++ = ',';
+    at = lsys_whole_print(at, s->mark);
+    *at++ = ']';
+    to->used += (size_t)(at - room);
+  }
+  return true;
+}
+
+static bool add_segment(JsonSink *j, const LsysVec3 *p, const LsysPen *pen) {
+  Segment *s = lsys_press_add(j->press, sizeof *s);
+  if (!s) return false;
+  *s = (Segment){p[0], p[1], pen->width, pen->mark, pen->colour, j->segments > 0};
+  return ++j->segments % BLOCK || lsys_press_send(j->press);
+}
+
 static bool strokes(LsysGeometry *geometry, const LsysStrokes *batch) {
   JsonSink *j = sink_of(geometry);
   for (size_t i = 0; i < batch->count; i++) {
     const LsysStroke *s = &batch->stroke[i];
     const LsysVec3 *p = batch->point + s->first;
-    for (uint32_t k = 1; k < s->count; k++) {
-      char *room = lsys_out_room(j->out, 16 * LSYS_NUMBER_SIZE), *to = room;
-      to += sprintf(to, "%s\n[", j->later_segment ? "," : "");
-      to = put_point(to, &p[k - 1]);
-      *to++ = ',';
-      to = put_point(to, &p[k]);
-      *to++ = ',';
-      to = put_real(to, s->pen.width);
-      to += sprintf(to, ",%u,%u]", s->pen.colour, s->pen.mark);
-      lsys_out_filled(j->out, (size_t)(to - room));
-      j->later_segment = true;
-    }
+    for (uint32_t k = 1; k < s->count; k++)
+      if (!add_segment(j, &p[k - 1], &s->pen)) return false;
   }
-  return lsys_out_write(j->out, "", 0);
+  return true;
 }
 
 static bool polygon(LsysGeometry *geometry, const LsysVec3 *vertices, size_t count, const LsysPen *pen) {
@@ -81,9 +116,11 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   JsonSink *j = (JsonSink *)sink;
   if (!j->turtle) j->turtle = lsys_turtle_create(run);
   if (j->turtle) lsys_turtle_by_depth(j->turtle);
-  if (!j->turtle || !lsys_spool_open(&j->polygons)) return false;
+  if (!j->press) j->press = lsys_press_open(run->memory, run->threads, j->out, put_segments, NULL);
+  if (!j->turtle || !j->press || !lsys_spool_open(&j->polygons)) return false;
   lsys_turtle_begin(j->turtle, axiom, &j->geometry);
-  j->later_segment = j->later_polygon = false;
+  j->segments = 0;
+  j->later_polygon = false;
   lsys_out_print(j->out, "%s{\"axiom\": %u, \"segments\": [", j->later_figure ? ",\n" : "{\"figures\": [\n", axiom + 1);
   j->later_figure = true;
   return true;
@@ -95,7 +132,7 @@ static bool take(LsysSink *sink, const LsysWord *part) {
 
 static bool end(LsysSink *sink) {
   JsonSink *j = (JsonSink *)sink;
-  bool well = lsys_turtle_end(j->turtle) && lsys_out_print(j->out, "],\n\"polygons\": [")
+  bool well = lsys_turtle_end(j->turtle) && lsys_press_finish(j->press) && lsys_out_print(j->out, "],\n\"polygons\": [")
            && lsys_spool_copy(&j->polygons, j->out) && lsys_out_print(j->out, "]}");
   lsys_spool_close(&j->polygons);
   return well;
@@ -109,6 +146,7 @@ static bool finish(LsysSink *sink) {
 static void destroy(LsysSink *sink) {
   JsonSink *j = (JsonSink *)sink;
   lsys_turtle_destroy(j->turtle);
+  lsys_press_close(j->press);
   lsys_spool_close(&j->polygons);
   free(j);
 }

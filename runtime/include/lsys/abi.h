@@ -91,6 +91,7 @@ struct LsysRun {
   uint64_t born;
 
   struct LsysMemory *memory;  // the run time's account of what is held; NULL: none is kept
+  uint32_t threads;           // that may work for what reads the word; 0: one
   uint32_t *told;             // of lsys_cut_short, for all threads; NULL: nothing is told
 
   struct LsysFiles *files;                // the run time's, of fopen

@@ -1,0 +1,122 @@
+// test_press.c -- blocks come out in their order, whatever the number of threads and the size of blocks, and a failure
+// stops a press on any of them.
+#include "sinks/press.h"
+
+#include "core/message.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { NUMBERS = 20000, BAD = 12345 };
+
+// One line a number; some take longer than others.
+static bool put_lines(const void *data, const void *block, size_t size, LsysPrepared *to) {
+  const uint64_t *bad = data, *number = block;
+  for (size_t i = 0; i < size / sizeof *number; i++) {
+    char *room = lsys_prepared_room(to, 32);
+    if (!room) return false;
+    if (number[i] == *bad) {
+      lsys_error("a bad number");
+      return false;
+    }
+    int length = 0;
+    for (uint64_t k = 0; k <= number[i] % 64; k++) length = sprintf(room, "%" PRIu64 "\n", number[i]);
+    to->used += (size_t)length;
+  }
+  return true;
+}
+
+static bool press_numbers(LsysMemory *memory, LsysOut *out, unsigned threads, uint64_t a_block, uint64_t bad) {
+  LsysPress *press = lsys_press_open(memory, threads, out, put_lines, &bad);
+  bool well = press;
+  for (uint64_t i = 0; well && i < NUMBERS; i++) {
+    uint64_t *number = lsys_press_add(press, sizeof *number);
+    well = number;
+    if (well) *number = i;
+    if (well && (i + 1) % a_block == 0) well = lsys_press_send(press);
+    if (well && i == NUMBERS / 2) well = lsys_press_finish(press) && lsys_out_print(out, "half\n");
+  }
+  well = well && lsys_press_finish(press);
+  lsys_press_close(press);
+  return well;
+}
+
+static void check_order(const char *path) {
+  FILE *file = fopen(path, "r");
+  assert_non_null(file);
+  char line[32], wanted[32];
+  for (uint64_t i = 0; i < NUMBERS; i++) {
+    snprintf(wanted, sizeof wanted, "%" PRIu64 "\n", i);
+    assert_non_null(fgets(line, sizeof line, file));
+    assert_string_equal(line, wanted);
+    if (i != NUMBERS / 2) continue;
+    assert_non_null(fgets(line, sizeof line, file));
+    assert_string_equal(line, "half\n");
+  }
+  assert_null(fgets(line, sizeof line, file));
+  fclose(file);
+}
+
+static const unsigned teams[] = {0, 1, 2, 7};
+static const uint64_t sizes[] = {1, 3, 100, 2 * NUMBERS};
+
+static void keeps_order(void **state) {
+  (void)state;
+  char path[] = "/tmp/lsysc-press-XXXXXX";
+  close(mkstemp(path));
+  for (size_t t = 0; t < 4; t++) {
+    for (size_t s = 0; s < 4; s++) {
+      LsysMemory memory = {.limit = 1 << 26};
+      LsysOut *out = lsys_out_open(path);
+      assert_true(press_numbers(&memory, out, teams[t], sizes[s], UINT64_MAX));
+      assert_true(lsys_out_commit(out));
+      assert_int_equal(memory.used, 0);
+      check_order(path);
+    }
+  }
+  unlink(path);
+}
+
+static void stops(void **state) {
+  (void)state;
+  for (size_t t = 0; t < 4; t++) {
+    for (size_t s = 0; s < 4; s++) {
+      LsysMemory memory = {.limit = 1 << 26};
+      LsysOut *out = lsys_out_open("/dev/null");
+      assert_false(press_numbers(&memory, out, teams[t], sizes[s], BAD));
+      assert_int_equal(memory.used, 0);
+      lsys_out_abandon(out);
+    }
+  }
+}
+
+static void refuses_memory(void **state) {
+  (void)state;
+  for (size_t t = 0; t < 4; t++) {
+    LsysMemory memory = {.limit = 100000};
+    LsysOut *out = lsys_out_open("/dev/null");
+    LsysMessage message = {0}, *before = lsys_message_catch(&message);
+    assert_false(press_numbers(&memory, out, teams[t], 2 * NUMBERS, UINT64_MAX));
+    lsys_message_catch(before);
+    assert_non_null(strstr(message.text, "out of memory"));
+    assert_int_equal(memory.used, 0);
+    lsys_out_abandon(out);
+  }
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+    cmocka_unit_test(keeps_order),
+    cmocka_unit_test(stops),
+    cmocka_unit_test(refuses_memory),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
