@@ -76,6 +76,10 @@ static bool put_segments(const void *data, const void *block, size_t size, LsysP
   return true;
 }
 
+static bool write_segments(void *data, const LsysPrepared *text) {
+  return lsys_out_write(((JsonSink *)data)->out, text->data, text->used);
+}
+
 static bool add_segment(JsonSink *j, const LsysVec3 *p, const LsysPen *pen) {
   Segment *s = lsys_press_add(j->press, sizeof *s);
   if (!s) return false;
@@ -116,7 +120,7 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   JsonSink *j = (JsonSink *)sink;
   if (!j->turtle) j->turtle = lsys_turtle_create(run);
   if (j->turtle) lsys_turtle_by_depth(j->turtle);
-  if (!j->press) j->press = lsys_press_open(run->memory, run->threads, j->out, put_segments, NULL);
+  if (!j->press) j->press = lsys_press_open(run->memory, run->threads, put_segments, write_segments, j);
   if (!j->turtle || !j->press || !lsys_spool_open(&j->polygons)) return false;
   lsys_turtle_begin(j->turtle, axiom, &j->geometry);
   j->segments = 0;

@@ -277,6 +277,7 @@ static bool start(Picture *p, const LsysRun *run) {
   choose_view(p);
   lsys_palette_make(&p->palette, &p->options.colours, run->grammar, p->solid);
   p->page.memory = p->memory;
+  p->page.threads = run->threads;
   p->page.solid = p->solid;
   return reserve_page(p);
 }

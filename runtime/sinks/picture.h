@@ -41,6 +41,7 @@ typedef struct LsysPage {
   bool solid;                 // figures have depth: what is nearer hides what is behind it, and light falls on it
   double detail;              // mean length of a segment in pixels
   struct LsysMemory *memory;  // that what is drawn is booked on; NULL: none
+  unsigned threads;           // that may work for it; 0: one
 } LsysPage;
 
 typedef struct LsysInk {

@@ -16,9 +16,9 @@ typedef struct Block {
 
 struct LsysPress {
   LsysMemory *memory;
-  LsysOut *out;
   LsysPressWork *work;
-  const void *data;
+  LsysPressWrite *write;
+  void *data;
   LsysPrepared own;  // what this thread made
   Block *block;
   uint64_t most, filled;  // filled: number of the block that is being collected
@@ -32,8 +32,8 @@ struct LsysPress {
 // Chunks of words are as small as that of a grammar with nothing in it: none is written.
 static const LsysGrammar nothing = {.name = "press"};
 
-static const LsysPress *press_of(const LsysSink *sink) {
-  return (const LsysPress *)((const char *)sink - offsetof(LsysPress, sink));
+static LsysPress *press_of(const LsysSink *sink) {
+  return (LsysPress *)((const char *)sink - offsetof(LsysPress, sink));
 }
 
 static bool prepare(const LsysSink *sink, const LsysWord *part, LsysPrepared *prepared) {
@@ -42,11 +42,12 @@ static bool prepare(const LsysSink *sink, const LsysWord *part, LsysPrepared *pr
 }
 
 static bool accept(LsysSink *sink, const LsysPrepared *prepared) {
-  return lsys_out_write(press_of(sink)->out, prepared->data, prepared->used);
+  LsysPress *p = press_of(sink);
+  return p->write(p->data, prepared);
 }
 
 static bool take(LsysSink *sink, const LsysWord *part) {
-  LsysPress *p = (LsysPress *)((char *)sink - offsetof(LsysPress, sink));
+  LsysPress *p = press_of(sink);
   p->own.used = 0;
   return prepare(sink, part, &p->own) && accept(sink, &p->own);
 }
@@ -73,12 +74,13 @@ static bool share(LsysPress *p, unsigned threads) {
   return lsys_pipeline_open(&p->pipeline, &p->team, &p->sink, ALONE, write_block, p);
 }
 
-LsysPress *lsys_press_open(LsysMemory *memory, unsigned threads, LsysOut *out, LsysPressWork *work, const void *data) {
+LsysPress *lsys_press_open(LsysMemory *memory, unsigned threads, LsysPressWork *work, LsysPressWrite *write,
+                           void *data) {
   LsysPress *p = lsys_memory_alloc(memory, 1, sizeof *p);
   if (!p) return NULL;
   p->memory = p->own.memory = memory;
-  p->out = out;
   p->work = work;
+  p->write = write;
   p->data = data;
   p->most = 1;
   p->sink = (LsysSink){.passes = 1, .take = take, .prepare = prepare, .accept = accept};

@@ -5,7 +5,6 @@
 #define LSYS_SINKS_PRESS_H
 
 #include "core/memory.h"
-#include "core/out.h"
 #include "sinks/sink.h"
 
 typedef struct LsysPress LsysPress;
@@ -14,8 +13,12 @@ typedef struct LsysPress LsysPress;
 // blocks. False after printing why not.
 typedef bool LsysPressWork(const void *data, const void *block, size_t size, LsysPrepared *to);
 
-// threads: that may work, this one included. out outlives the press. NULL after printing why not.
-LsysPress *lsys_press_open(LsysMemory *memory, unsigned threads, LsysOut *out, LsysPressWork *work, const void *data);
+// Writes what was made of the next block, on this thread. False after printing why not.
+typedef bool LsysPressWrite(void *data, const LsysPrepared *bytes);
+
+// threads: that may work, this one included. NULL after printing why not.
+LsysPress *lsys_press_open(LsysMemory *memory, unsigned threads, LsysPressWork *work, LsysPressWrite *write,
+                           void *data);
 
 // Room for size more bytes, a multiple of 8, in the block that is being collected; it may move until the next call.
 // NULL after printing that memory ran out.
@@ -24,7 +27,7 @@ void *lsys_press_add(LsysPress *press, size_t size);
 // The block is complete, if there is anything in it. False to stop, after printing why.
 bool lsys_press_send(LsysPress *press);
 
-// Sends the last block and waits until everything is in the output: it may be written to directly then.
+// Sends the last block and waits until everything is written.
 bool lsys_press_finish(LsysPress *press);
 
 // Stops the others; what is not written never will be. NULL is fine.

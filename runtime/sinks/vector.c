@@ -1,9 +1,12 @@
 // vector.c -- a canvas of inks and paths of connected points, in text that a
-// format phrases. Connected lines of one ink become one path.
+// format phrases. Connected lines of one ink become one path. What is drawn is
+// collected in blocks, of which other threads may make text: no group and no
+// path goes on from one into the next.
 // Invariant: a path is open only in a group of one ink.
 #include "sinks/vector.h"
 
 #include "core/message.h"
+#include "sinks/press.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -11,14 +14,35 @@
 #include <string.h>
 
 enum {
-  PATH_POINTS = 4096,  // a path of more is split: viewers work path by path
-  LONGEST = 1000,      // characters that are printed at once
+  BLOCK = 2048,    // segments of which text is made at once, so that no path is longer: viewers work path by path
+  LONGEST = 1000,  // characters that are printed at once
 };
+
+// In a block, before its points.
+typedef struct Item {
+  double width;  // of a line; 0: a polygon
+  uint32_t rgb;
+  uint32_t joined;
+  uint64_t count;
+} Item;
+
+typedef struct Place {
+  double x, y;
+} Place;
 
 // ---- text ----------------------------------------------------------------
 
+static bool keep(LsysPrepared *to, const char *text, size_t size) {
+  char *at = lsys_prepared_room(to, size);
+  if (!at) return false;
+  memcpy(at, text, size);
+  to->used += size;
+  return true;
+}
+
 static void flush(LsysVector *v) {
-  if (!v->failed && v->filled) v->failed = !v->format->write(v, v->text, v->filled);
+  if (!v->failed && v->filled)
+    v->failed = !(v->to ? keep(v->to, v->text, v->filled) : v->format->write(v, v->text, v->filled));
   v->filled = 0;
 }
 
@@ -73,7 +97,7 @@ static int64_t in_parts(const LsysVector *v, double pixels) {
 
 typedef char *PutPlace(const LsysVector *v, char *to, int64_t x, int64_t y);
 
-static void go(LsysVector *v, const LsysPoint *p, PutPlace *put_place) {
+static void go(LsysVector *v, const Place *p, PutPlace *put_place) {
   int64_t x = in_parts(v, p->x), y = in_parts(v, p->y);
   char *to = room(v, 2 * LSYS_VECTOR_NUMBER + 8);
   v->filled += (size_t)(put_place(v, to, x, y) - to);
@@ -100,14 +124,71 @@ static void begin_group(LsysVector *v, const LsysInk *ink) {
   v->format->ink(v, ink);
 }
 
-static void begin_path(LsysVector *v, const LsysPoint *p) {
-  if (v->points >= PATH_POINTS) end_path(v);
-  if (!v->path) {
-    put(v, v->format->begin_path);
-    v->points = 0;
-  }
+static void begin_path(LsysVector *v, const Place *p) {
+  if (!v->path) put(v, v->format->begin_path);
   go(v, p, v->format->move);
   v->path = true;
+}
+
+static void put_line(LsysVector *v, const Item *line, const Place *point) {
+  begin_group(v, &(LsysInk){line->width, line->rgb});
+  bool goes_on = line->joined && v->path && in_parts(v, point->x) == v->x && in_parts(v, point->y) == v->y;
+  if (!goes_on) begin_path(v, point);
+  for (uint64_t i = 1; i < line->count; i++) go(v, &point[i], v->format->step);
+}
+
+static void put_fill(LsysVector *v, const Item *fill, const Place *point) {
+  end_group(v);
+  v->format->fill(v, fill->rgb);
+  go(v, point, v->format->move);
+  for (uint64_t i = 1; i < fill->count; i++) go(v, &point[i], v->format->step);
+  put(v, v->format->end_fill);
+}
+
+// ---- blocks --------------------------------------------------------------
+
+static bool put_block(const void *data, const void *block, size_t size, LsysPrepared *to) {
+  const LsysVector *whole = data;
+  LsysVector v;
+  v.format = whole->format;
+  v.decimals = whole->decimals;
+  v.parts = whole->parts;
+  v.to = to;
+  v.group = v.path = v.failed = false;
+  v.filled = 0;
+  for (const char *at = block, *end = at + size; at < end;) {
+    const Item *item = (const Item *)(const void *)at;
+    const Place *point = (const Place *)(const void *)(at + sizeof *item);
+    (item->width > 0 ? put_line : put_fill)(&v, item, point);
+    at = (const char *)(point + item->count);
+  }
+  end_group(&v);
+  flush(&v);
+  return !v.failed;
+}
+
+static bool write_block(void *data, const LsysPrepared *text) {
+  LsysVector *v = data;
+  return v->format->write(v, text->data, text->used);
+}
+
+static bool add(LsysVector *v, const Item *item, const LsysPoint *point) {
+  char *at = lsys_press_add(v->press, sizeof *item + item->count * sizeof(Place));
+  if (!at) return false;
+  memcpy(at, item, sizeof *item);
+  Place *place = (Place *)(void *)(at + sizeof *item);
+  for (uint64_t i = 0; i < item->count; i++) place[i] = (Place){point[i].x, point[i].y};
+  return true;
+}
+
+// So much was drawn: where blocks end must not depend on how lines come in pieces.
+static bool count_segments(LsysVector *v, size_t count) {
+  if (count < BLOCK - v->segments) {
+    v->segments += (uint32_t)count;
+    return true;
+  }
+  v->segments = 0;
+  return lsys_press_send(v->press);
 }
 
 // ---- the canvas ----------------------------------------------------------
@@ -117,42 +198,37 @@ static bool open_page(LsysCanvas *canvas, const LsysPage *page) {
   // A hundredth of a pixel, finer where segments are that short.
   v->decimals = page->detail >= 1 ? 2 : page->detail >= 0.1 ? 3 : 4;
   v->parts = pow(10, v->decimals);
-  return v->format->open(v, page) && !v->failed;
+  v->press = lsys_press_open(page->memory, page->threads, put_block, write_block, v);
+  if (!v->press || !v->format->open(v, page)) return false;
+  flush(v);
+  return !v->failed;
 }
 
 static bool line(LsysCanvas *canvas, const LsysPoint *point, size_t count, const LsysInk *ink, bool joined) {
   LsysVector *v = (LsysVector *)canvas;
-  begin_group(v, ink);
-  bool goes_on =
-    joined && v->path && v->points < PATH_POINTS && in_parts(v, point->x) == v->x && in_parts(v, point->y) == v->y;
-  if (!goes_on) begin_path(v, point);
-  for (size_t i = 1; i < count; i++) go(v, &point[i], v->format->step);
-  v->points += (uint32_t)count;
-  return !v->failed;
+  for (size_t left = count - 1, n; left; left -= n, point += n, joined = true) {
+    n = left < BLOCK - v->segments ? left : BLOCK - v->segments;
+    if (!add(v, &(Item){ink->width, ink->rgb, joined, n + 1}, point) || !count_segments(v, n)) return false;
+  }
+  return true;
 }
 
 static bool fill(LsysCanvas *canvas, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb) {
   (void)normal;
   LsysVector *v = (LsysVector *)canvas;
-  end_group(v);
-  v->format->fill(v, rgb);
-  go(v, point, v->format->move);
-  for (size_t i = 1; i < count; i++) go(v, &point[i], v->format->step);
-  put(v, v->format->end_fill);
-  return !v->failed;
+  return !count || (add(v, &(Item){.rgb = rgb, .count = count}, point) && count_segments(v, count));
 }
 
 static bool close_page(LsysCanvas *canvas) {
   LsysVector *v = (LsysVector *)canvas;
-  end_group(v);
-  flush(v);
-  if (v->failed || !v->format->close(v)) return false;
+  if (!lsys_press_finish(v->press) || !v->format->close(v)) return false;
   flush(v);
   return !v->failed;
 }
 
 static void destroy(LsysCanvas *canvas) {
   LsysVector *v = (LsysVector *)canvas;
+  lsys_press_close(v->press);
   v->format->destroy(v);
 }
 

@@ -14,7 +14,8 @@ enum {
 typedef struct LsysVector LsysVector;
 
 // How a format says things. Text that is always the same stands here; move and step write at most
-// 2 * LSYS_VECTOR_NUMBER + 8 characters and return their end; the others use lsys_vector_print.
+// 2 * LSYS_VECTOR_NUMBER + 8 characters and return their end; the others use lsys_vector_print. ink, fill, move and
+// step are called on any thread, with a vector that is nothing but an LsysVector.
 typedef struct LsysVectorFormat {
   bool (*open)(LsysVector *vector, const LsysPage *page);
   void (*ink)(LsysVector *vector, const LsysInk *ink);  // of the strokes up to end_ink
@@ -38,8 +39,10 @@ struct LsysVector {
   int64_t x, y;  // the last point written, in parts
   LsysInk ink;   // of the open group of strokes
   bool group, path;
-  uint32_t points;  // in the open path
-  bool failed;      // after a message
+  struct LsysPress *press;  // makes text of what is drawn
+  uint32_t segments;        // and corners, in its block
+  LsysPrepared *to;         // where text goes; NULL: to the format
+  bool failed;              // after a message
   size_t filled;
   char text[LSYS_VECTOR_TEXT];
 };

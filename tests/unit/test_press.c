@@ -3,6 +3,7 @@
 #include "sinks/press.h"
 
 #include "core/message.h"
+#include "core/out.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -17,13 +18,19 @@
 
 enum { NUMBERS = 20000, BAD = 12345 };
 
+typedef struct Numbers {
+  LsysOut *out;
+  uint64_t bad;
+} Numbers;
+
 // One line a number; some take longer than others.
 static bool put_lines(const void *data, const void *block, size_t size, LsysPrepared *to) {
-  const uint64_t *bad = data, *number = block;
+  const Numbers *numbers = data;
+  const uint64_t *number = block;
   for (size_t i = 0; i < size / sizeof *number; i++) {
     char *room = lsys_prepared_room(to, 32);
     if (!room) return false;
-    if (number[i] == *bad) {
+    if (number[i] == numbers->bad) {
       lsys_error("a bad number");
       return false;
     }
@@ -34,8 +41,13 @@ static bool put_lines(const void *data, const void *block, size_t size, LsysPrep
   return true;
 }
 
+static bool write_lines(void *data, const LsysPrepared *text) {
+  return lsys_out_write(((Numbers *)data)->out, text->data, text->used);
+}
+
 static bool press_numbers(LsysMemory *memory, LsysOut *out, unsigned threads, uint64_t a_block, uint64_t bad) {
-  LsysPress *press = lsys_press_open(memory, threads, out, put_lines, &bad);
+  Numbers numbers = {out, bad};
+  LsysPress *press = lsys_press_open(memory, threads, put_lines, write_lines, &numbers);
   bool well = press;
   for (uint64_t i = 0; well && i < NUMBERS; i++) {
     uint64_t *number = lsys_press_add(press, sizeof *number);
