@@ -15,10 +15,12 @@ typedef struct Options {
 } Options;
 
 void bench_words(const Options *options);    // words.c: words beside C and memcpy
+void bench_turtle(const Options *options);   // turtle.c: words to segments, nothing drawn
 void bench_outputs(const Options *options);  // outputs.c: text, hash, pictures
 void bench_sweep(const Options *options);    // sweep.c: cost per module as words grow
 void bench_threads(const Options *options);  // threads.c: one thread and two
 void bench_start(const Options *options);    // start.c: from a grammar to its first module
+void bench_today(const Options *options);    // today.c: what people use, if it is installed
 
 bool bench_wants(const Options *options, const char *row);
 

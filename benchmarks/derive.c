@@ -2,6 +2,7 @@
 #include "derive.h"
 
 #include "core/derive.h"
+#include "sinks/homomorphism.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -58,19 +59,25 @@ static bool take_sum(LsysSink *sink, const LsysWord *part) {
   return true;
 }
 
-static uint64_t derive(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, Packed *out,
-                       bool (*take)(LsysSink *, const LsysWord *)) {
+void word_flow(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, bool shown, LsysSink *sink) {
   LsysMemory memory = {.limit = lsys_memory_default()};
   LsysOptions options = {0};
   options.at[LSYS_OPTION_STEPS] = (LsysOptionValue){.given = true, .whole = steps};
   options.at[LSYS_OPTION_THREADS] = (LsysOptionValue){.given = true, .whole = 1};
   options.at[LSYS_OPTION_SEED] = (LsysOptionValue){.given = true, .whole = seed};
-  WordSink sink = {.sink = {.passes = 1, .begin = begin, .take = take, .end = end}, .out = out};
+  LsysSinkContext context = {.grammar = grammar, .options = &options, .memory = &memory};
   LsysDerivation derivation;
-  if (!lsys_derivation_open(&derivation, grammar, &options, &memory)
-      || !lsys_derivation_run(&derivation, 0, &sink.sink, 0))
-    exit(1);
+  if (!lsys_derivation_open(&derivation, grammar, &options, &memory)) exit(1);
+  LsysSink *to = shown ? lsys_sink_homomorphism(&context, sink) : sink;
+  if (!to || !lsys_derivation_run(&derivation, 0, to, 0)) exit(1);
+  if (shown) to->destroy(to);
   lsys_derivation_close(&derivation);
+}
+
+static uint64_t derive(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, Packed *out,
+                       bool (*take)(LsysSink *, const LsysWord *)) {
+  WordSink sink = {.sink = {.passes = 1, .begin = begin, .take = take, .end = end}, .out = out};
+  word_flow(grammar, steps, seed, false, &sink.sink);
   return sink.sum;
 }
 

@@ -1,11 +1,16 @@
-// derive.h -- deriving a compiled grammar's word into memory, or into a sum.
+// derive.h -- deriving a compiled grammar's word into memory, a sum, or a sink.
 #ifndef LSYSC_BENCHMARKS_DERIVE_H
 #define LSYSC_BENCHMARKS_DERIVE_H
 
 #include "baselines/baseline.h"
 #include "lsys/abi.h"
+#include "sinks/sink.h"
 
-// Sizes of the word after some steps; prints what is wrong and exits on failure, as all of these.
+// Lets the word after some steps flow into a sink of one pass, through the grammar's homomorphism if shown (which then
+// destroys the sink); prints what is wrong and exits on failure, as all of these.
+void word_flow(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, bool shown, LsysSink *sink);
+
+// Sizes of the word.
 void word_size(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, size_t *nsym, size_t *narg);
 
 // Writes the word into out, which has room for it.

@@ -12,10 +12,12 @@ static const struct {
   const char *doc;
 } groups[] = {
   {"words", bench_words, "words in memory beside C written for the grammar, and memcpy of the same bytes"},
+  {"turtle", bench_turtle, "words to segments that nobody draws, in the plane and in space"},
   {"outputs", bench_outputs, "text, hash, SVG and PNG of big words"},
   {"sweep", bench_sweep, "cost per module and memory as a streamed word grows"},
   {"threads", bench_threads, "one thread and two, beside plain arithmetic on as many"},
   {"start", bench_start, "start-up, compile times, time to the first module"},
+  {"today", bench_today, "the npm package lindenmayer, run by node where both are installed"},
 };
 enum { GROUPS = sizeof groups / sizeof *groups };
 

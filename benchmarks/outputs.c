@@ -14,7 +14,7 @@
 
 typedef struct Row {
   const char *name, *grammar, *steps, *file;  // file NULL: only reports
-  const char *option;                         // NULL: none
+  const char *option;                         // or several, separated by blanks; NULL: none
   double modules, segments;                   // of the word
 } Row;
 
@@ -22,14 +22,15 @@ static const Row rows[] = {
   {"text of plant", "plant", "14", "word.txt", NULL, 28679199, 9533170},
   {"text of tree", "row-of-trees", "21", "word.txt", NULL, 16777209, 2097151},
   {"hash of plant", "plant", "16", NULL, "--hash", 258149251, 85962370},
-  {"turtle of koch", "koch", "8", NULL, "--stats", 124630747, 67108864},
-  {"turtle of plant", "plant", "14", NULL, "--stats", 28679199, 9533170},
-  {"turtle of tree", "row-of-trees", "21", NULL, "--stats", 16777209, 2097151},
+  {"stats of koch", "koch", "8", NULL, "--stats", 124630747, 67108864},
+  {"stats of plant", "plant", "14", NULL, "--stats", 28679199, 9533170},
+  {"stats of tree", "row-of-trees", "21", NULL, "--stats", 16777209, 2097151},
   {"svg of plant", "plant", "14", "plant.svg", NULL, 28679199, 9533170},
   {"png of plant", "plant", "14", "plant.png", "--size=4096x4096", 28679199, 9533170},
   {"ply of plant", "plant", "14", "plant.ply", NULL, 28679199, 9533170},
   {"glb of plant", "plant", "14", "plant.glb", NULL, 28679199, 9533170},
   {"png of tree", "row-of-trees", "21", "tree.png", "--size=4096x4096", 16777209, 2097151},
+  {"hash of flowers", "flowers", "11", NULL, "--hash --homomorphism", 12134564, 3897233},
 };
 
 static const char *folder(void) {
@@ -47,14 +48,15 @@ static void print_row(const Options *options, const Row *row, double seconds, do
 }
 
 static void run_row(const Options *options, const Row *row) {
-  char grammar[4096], file[4096];
+  char grammar[4096], file[4096], extra[64];
   snprintf(grammar, sizeof grammar, "%s/%s.lsys", options->grammars, row->grammar);
   snprintf(file, sizeof file, "%s/lsysc-bench-%d-%s", folder(), (int)getpid(), row->file ? row->file : "none");
   Compiled *compiled = compile_grammar(grammar, options->home);
   Program program = program_of(compiled_grammar(compiled));
   program_add(&program, "-n");
   program_add(&program, row->steps);
-  if (row->option) program_add(&program, row->option);
+  snprintf(extra, sizeof extra, "%s", row->option ? row->option : "");
+  program_add_all(&program, extra);
   if (row->file) {
     program_add(&program, "-o");
     program_add(&program, file);
