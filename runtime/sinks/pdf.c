@@ -1,8 +1,8 @@
 // pdf.c -- a vector canvas that writes PDF: one page, whose content is
-// compressed while it is drawn; its length is an object behind it, so that
-// nothing has to be kept. The same picture gives the same bytes: no date, no name.
-// A pixel is 1/96 inch, as in SVG.
-// Source: ISO 32000-1, sections 7.5 (file structure), 8.4 and 8.5 (graphics
+// compressed while it is drawn, piece by piece, on any thread; its length is an
+// object behind it, so that nothing has to be kept. The same picture gives the
+// same bytes: no date, no name. A pixel is 1/96 inch, as in SVG.
+// Source: RFC 1950 (zlib), RFC 1951 (deflate); ISO 32000-1, sections 7.5 (file structure), 8.4 and 8.5 (graphics
 // state, paths), 14.11.2 (page boundaries).
 #define ZLIB_CONST  // what is compressed stays as it is
 #include "core/message.h"
@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <zlib.h>
 
 enum {
@@ -19,20 +20,24 @@ enum {
   CONTENT,
   LENGTH,
   OBJECTS,
-  PACKED = 1 << 15,  // bytes that are compressed at once
+  LEVEL = 5,        // of packing: half the time of the usual 6, 2 % more bytes
+  FLUSH_ROOM = 64,  // for the end of a piece
 };
 
 static const double POINT = 0.75;                         // of a pixel: 72/96
 static const double LONGEST_SIDE = 14400;                 // in units of the page; a longer one has bigger units
 static const uint64_t MOST_BYTES = UINT64_C(9999999999);  // a place in the file has ten digits
 
+// In front of a packed piece of text.
+typedef struct Piece {
+  uint32_t sum, size;  // of the text
+} Piece;
+
 typedef struct Pdf {
   LsysVector vector;
-  z_stream packer;
-  bool packing;
+  uLong sum;       // of the content's text up to now
   uint64_t begin;  // of the file in the output
   uint64_t place[OBJECTS];
-  uint8_t packed[PACKED];
 } Pdf;
 
 static uint64_t here(const Pdf *p) {
@@ -65,11 +70,6 @@ static void put_colour(LsysVector *vector, uint32_t rgb, const char *operator) {
 
 static bool open_page(LsysVector *vector, const LsysPage *page) {
   Pdf *p = (Pdf *)vector;
-  if (deflateInit(&p->packer, Z_DEFAULT_COMPRESSION) != Z_OK) {
-    lsys_error("out of memory");
-    return false;
-  }
-  p->packing = true;
   p->begin = lsys_out_size(vector->out);
   double unit = fmax(ceil(fmax(page->width, page->height) * POINT / LONGEST_SIDE), 1);
   lsys_out_print(vector->out, "%%PDF-1.6\n%%\xe2\xe3\xcf\xd3\n");  // bytes over 127: a binary file
@@ -77,6 +77,8 @@ static bool open_page(LsysVector *vector, const LsysPage *page) {
   begin_object(p, CONTENT);
   lsys_out_print(vector->out, "<</Length %d 0 R/Filter/FlateDecode>>\nstream\n", LENGTH);
   p->place[LENGTH] = here(p);
+  p->sum = adler32(0, NULL, 0);
+  lsys_out_write(vector->out, "\x78\x9c", 2);  // the head of a stream with a window of 32 KiB
   // From here on places are pixels, y down; lines end and bend round.
   lsys_vector_print(vector, "%.9g 0 0 %.9g 0 %.9g cm\n1 J 1 j\n", POINT / unit, -POINT / unit,
                     page->height * POINT / unit);
@@ -112,28 +114,52 @@ static char *put_step(const LsysVector *vector, char *to, int64_t x, int64_t y) 
   return put_point(vector, to, x, y, 'l');
 }
 
-// Compresses what the packer was given, all of it when flush is Z_FINISH.
-static bool pack(Pdf *p, int flush) {
-  do {
-    p->packer.next_out = p->packed;
-    p->packer.avail_out = PACKED;
-    deflate(&p->packer, flush);
-    if (!lsys_out_write(p->vector.out, p->packed, PACKED - p->packer.avail_out)) return false;
-  } while (p->packer.avail_out == 0);
-  return true;
+// A piece of the content, deflated without looking at others. It ends at a byte, so that the next one can follow.
+static bool pack(const void *text, size_t size, LsysPrepared *to) {
+  z_stream packer = {0};
+  if (size > INT32_MAX) {  // a polygon of 10^8 corners
+    lsys_error("the picture has a polygon that does not fit a PDF; write an .svg");
+    return false;
+  }
+  if (deflateInit2(&packer, LEVEL, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY) != Z_OK) {
+    lsys_error("out of memory");
+    return false;
+  }
+  size_t most = deflateBound(&packer, (uLong)size) + FLUSH_ROOM;
+  char *at = lsys_prepared_room(to, sizeof(Piece) + most);
+  if (at) {
+    Piece piece = {(uint32_t)adler32(adler32(0, NULL, 0), text, (uInt)size), (uint32_t)size};
+    memcpy(at, &piece, sizeof piece);
+    packer.next_in = text;
+    packer.avail_in = (uInt)size;
+    packer.next_out = (Bytef *)at + sizeof piece;
+    packer.avail_out = (uInt)most;
+    deflate(&packer, Z_SYNC_FLUSH);
+    to->used += sizeof piece + packer.total_out;
+  }
+  deflateEnd(&packer);
+  return at;
 }
 
-static bool write_text(LsysVector *vector, const void *text, size_t size) {
+static bool write_piece(LsysVector *vector, const void *bytes, size_t size) {
   Pdf *p = (Pdf *)vector;
-  p->packer.next_in = text;
-  p->packer.avail_in = (uInt)size;
-  return pack(p, Z_NO_FLUSH);
+  Piece piece;
+  memcpy(&piece, bytes, sizeof piece);
+  p->sum = adler32_combine(p->sum, piece.sum, (z_off_t)piece.size);
+  return lsys_out_write(vector->out, (const char *)bytes + sizeof piece, size - sizeof piece);
+}
+
+// An empty last piece, and the sum over the whole text.
+static bool end_stream(const Pdf *p) {
+  const uint8_t end[] = {
+    3, 0, (uint8_t)(p->sum >> 24), (uint8_t)(p->sum >> 16), (uint8_t)(p->sum >> 8), (uint8_t)p->sum};
+  return lsys_out_write(p->vector.out, end, sizeof end);
 }
 
 static bool close_page(LsysVector *vector) {
   Pdf *p = (Pdf *)vector;
   LsysOut *out = vector->out;
-  if (!pack(p, Z_FINISH)) return false;
+  if (!end_stream(p)) return false;
   uint64_t length = here(p) - p->place[LENGTH];
   lsys_out_print(out, "\nendstream\nendobj\n");
   begin_object(p, LENGTH);
@@ -150,9 +176,7 @@ static bool close_page(LsysVector *vector) {
 }
 
 static void destroy(LsysVector *vector) {
-  Pdf *p = (Pdf *)vector;
-  if (p->packing) deflateEnd(&p->packer);
-  free(p);
+  free(vector);
 }
 
 static const LsysVectorFormat format = {
@@ -166,7 +190,8 @@ static const LsysVectorFormat format = {
   .move = put_move,
   .step = put_step,
   .close = close_page,
-  .write = write_text,
+  .pack = pack,
+  .write = write_piece,
   .destroy = destroy,
 };
 

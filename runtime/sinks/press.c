@@ -116,5 +116,6 @@ void lsys_press_close(LsysPress *p) {
   for (uint64_t i = 0; p->block && i < p->most; i++) lsys_memory_free(p->memory, p->block[i].data, p->block[i].room, 1);
   lsys_memory_free(p->memory, p->block, p->most, sizeof *p->block);
   lsys_memory_free(p->memory, p->own.data, p->own.room, 1);
+  lsys_memory_free(p->memory, p->own.scratch, p->own.scratch_bytes, 1);
   lsys_memory_free(p->memory, p, 1, sizeof *p);
 }

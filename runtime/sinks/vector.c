@@ -5,6 +5,7 @@
 // Invariant: a path is open only in a group of one ink.
 #include "sinks/vector.h"
 
+#include "core/memory.h"
 #include "core/message.h"
 #include "sinks/press.h"
 
@@ -40,9 +41,17 @@ static bool keep(LsysPrepared *to, const char *text, size_t size) {
   return true;
 }
 
+// Text between blocks.
+static bool write_text(LsysVector *v) {
+  if (!v->format->pack) return v->format->write(v, v->text, v->filled);
+  LsysPrepared packed = {0};
+  bool well = v->format->pack(v->text, v->filled, &packed) && v->format->write(v, packed.data, packed.used);
+  lsys_memory_free(NULL, packed.data, packed.room, 1);
+  return well;
+}
+
 static void flush(LsysVector *v) {
-  if (!v->failed && v->filled)
-    v->failed = !(v->to ? keep(v->to, v->text, v->filled) : v->format->write(v, v->text, v->filled));
+  if (!v->failed && v->filled) v->failed = !(v->to ? keep(v->to, v->text, v->filled) : write_text(v));
   v->filled = 0;
 }
 
@@ -147,8 +156,7 @@ static void put_fill(LsysVector *v, const Item *fill, const Place *point) {
 
 // ---- blocks --------------------------------------------------------------
 
-static bool put_block(const void *data, const void *block, size_t size, LsysPrepared *to) {
-  const LsysVector *whole = data;
+static bool put_text(const LsysVector *whole, const void *block, size_t size, LsysPrepared *to) {
   LsysVector v;
   v.format = whole->format;
   v.decimals = whole->decimals;
@@ -165,6 +173,17 @@ static bool put_block(const void *data, const void *block, size_t size, LsysPrep
   end_group(&v);
   flush(&v);
   return !v.failed;
+}
+
+// Text that is packed is made in the thread's scratch.
+static bool put_block(const void *data, const void *block, size_t size, LsysPrepared *to) {
+  const LsysVector *v = data;
+  if (!v->format->pack) return put_text(v, block, size, to);
+  LsysPrepared text = {.memory = to->memory, .data = to->scratch, .room = to->scratch_bytes};
+  bool well = put_text(v, block, size, &text);
+  to->scratch = text.data;
+  to->scratch_bytes = text.room;
+  return well && v->format->pack(text.data, text.used, to);
 }
 
 static bool write_block(void *data, const LsysPrepared *text) {

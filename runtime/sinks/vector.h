@@ -26,8 +26,10 @@ typedef struct LsysVectorFormat {
   char *(*move)(const LsysVector *vector, char *to, int64_t x, int64_t y);  // vector->path: a path is open already
   char *(*step)(const LsysVector *vector, char *to, int64_t x, int64_t y);  // from vector->x, vector->y
   bool (*close)(LsysVector *vector);                                        // all text is written
-  bool (*write)(LsysVector *vector, const void *text, size_t size);
-  void (*destroy)(LsysVector *vector);  // what it holds and itself
+  // May be NULL: appends to `to`, on any thread, what becomes of a piece of text before it is written.
+  bool (*pack)(const void *text, size_t size, LsysPrepared *to);
+  bool (*write)(LsysVector *vector, const void *bytes, size_t size);  // one piece, packed if there is `pack`
+  void (*destroy)(LsysVector *vector);                                // what it holds and itself
 } LsysVectorFormat;
 
 struct LsysVector {
@@ -41,7 +43,7 @@ struct LsysVector {
   bool group, path;
   struct LsysPress *press;  // makes text of what is drawn
   uint32_t segments;        // and corners, in its block
-  LsysPrepared *to;         // where text goes; NULL: to the format
+  LsysPrepared *to;         // where text goes; NULL: to the output
   bool failed;              // after a message
   size_t filled;
   char text[LSYS_VECTOR_TEXT];

@@ -4,13 +4,13 @@ printf 'axiom: X\nX --> F[+X]F[-X]+X\nF --> FF\nangle: 20\nsteps: 9\n' > plant.l
 printf 'axiom: A\nA --> F[&A/{.F.+F.}]F[!A]\nF --> FF\nangle: 30\nsteps: 9\n' > bush.lsys
 for grammar in plant bush; do
   lsysc $grammar.lsys
-  for format in svg png obj ply glb json; do
+  for format in svg pdf png obj ply glb json; do
     for threads in 1 2 7; do
       ./$grammar --threads $threads --format $format | cksum
     done | sort -u | wc -l
   done
 done
-for format in svg png obj ply glb json; do
+for format in svg pdf png obj ply glb json; do
   ./plant --threads 7 --format $format > /dev/full; echo "status $?"
   case $format in svg | obj | json) ./plant --threads 7 --format $format | head -c 1 > closed ;; esac
 done
