@@ -18,6 +18,7 @@ typedef enum Meaning {
   VIEW_STYLE,
   VIEW_VECTOR,
   VIEW_TROPISM,
+  VIEW_TORQUE,
   VIEW_SURFACE,
   VIEW_FUNCTION,
   VIEW_FUNCTIONS,
@@ -45,7 +46,7 @@ typedef struct View {
   const Statement *line;  // that is being read
   const char *at;         // in it
   unsigned functions, curves;
-  bool tropism;
+  unsigned tropisms;
   VEC(const char *) idle;  // commands without a meaning, each once
 } View;
 
@@ -86,7 +87,8 @@ static bool number(View *view, const char *what, AstExpr **value) {
   double parsed = strtod(text, &end);
   if (!*text || *end || !isfinite(parsed)) {
     diag_error(view->diag, span, "`%s:` needs %s", what,
-               strcmp(what, "tropism") ? "a number" : "`T:` and three numbers");
+               strcmp(what, "tropism") && strcmp(what, "torque") ? "a number"
+                                                                 : "numbers behind its letters, three behind `T:`");
     return false;
   }
   *value = ast_number(view->build, span, parsed);
@@ -122,39 +124,69 @@ static void style(View *view) {
 }
 
 // A direction: three numbers, of which cpfg makes a vector of length 1.
-static bool vector(View *view, const Command *command) {
-  AstExpr *value[3];
+static bool direction(View *view, const char *what, AstExpr *value[3]) {
   for (int i = 0; i < 3; i++)
-    if (!number(view, command->keyword, &value[i])) return false;
+    if (!number(view, what, &value[i])) return false;
   double length = hypot(hypot(value[0]->number, value[1]->number), value[2]->number);
   for (int i = 0; i < 3 && length > 0; i++) value[i]->number /= length;
-  for (unsigned i = 0; i < 3; i++) set(view, command->setting + i, value[i]);
   return true;
 }
 
-// T: x y z [A: angle] [I: intensity] [E: elasticity] [S: step], of which the turtle has direction and elasticity.
+static void vector(View *view, const Command *command) {
+  AstExpr *value[3];
+  if (!direction(view, command->keyword, value)) return;
+  for (unsigned i = 0; i < 3; i++) set(view, command->setting + i, value[i]);
+}
+
+// The next number times a factor.
+static bool scale(View *view, const char *what, AstExpr *value[3], double least, double most) {
+  AstExpr *factor;
+  if (!number(view, what, &factor)) return false;
+  double by = fmax(least, fmin(most, factor->number));
+  for (int i = 0; i < 3; i++) value[i]->number *= by;
+  return true;
+}
+
+// T: x y z [A: angle] [I: intensity] [E: elasticity] [S: increment]. cpfg makes the vector as long as the intensity,
+// and no longer than 1.
 static void tropism(View *view, const Command *command) {
+  static const char keys[] = "AES";
+  static const unsigned settings[] = {LSYS_SETTING_TROPISM_1_ANGLE, LSYS_SETTING_TROPISM_1_ELASTICITY,
+                                      LSYS_SETTING_TROPISM_1_STEP};
+  const unsigned shift = view->tropisms * LSYS_TROPISM_SETTINGS;
   Span span;
-  const char *key;
-  if (view->tropism) {
-    diag_remark(view->diag, statement_span(view->line, view->line->begin, view->line->end),
-                "the turtle has one tropism: this one is read over");
+  const char *text;
+  AstExpr *towards[3] = {NULL}, *value;
+  if (view->tropisms == LSYS_TROPISMS) {
+    diag_error(view->diag, statement_span(view->line, view->line->begin, view->line->end),
+               "the turtle has room for %d tropisms and torques", LSYS_TROPISMS);
     return;
   }
-  view->tropism = true;
-  while (word(view, &span, &key)) {
-    AstExpr *value;
-    if (strcasecmp(key, "T:") == 0) {
-      if (!vector(view, command)) return;
-    } else if (!strchr("AIES", key[0] & ~0x20) || strcmp(key + 1, ":") != 0) {
-      diag_error(view->diag, span, "`tropism:` knows T: x y z, A: angle, I: intensity, E: elasticity and S: step");
+  while (word(view, &span, &text)) {
+    const char key = (char)(text[0] & ~0x20), *const known = strchr(keys, key);
+    const bool well = key && strcmp(text + 1, ":") == 0;
+    if (well && key == 'T') {
+      if (!direction(view, command->keyword, towards)) return;
+    } else if (well && key == 'I' && towards[0]) {
+      if (!scale(view, command->keyword, towards, -1, 1)) return;
+    } else if (well && known) {
+      if (!number(view, command->keyword, &value)) return;
+      set(view, settings[known - keys] + shift, value);
+    } else {
+      diag_error(view->diag, span, "`%s:` knows T: x y z, A: angle, I: intensity, E: elasticity and S: increment",
+                 command->keyword);
       return;
-    } else if (!number(view, command->keyword, &value)) {
-      return;
-    } else if ((key[0] & ~0x20) == 'E') {
-      set(view, LSYS_SETTING_ELASTICITY, value);
     }
   }
+  if (!towards[0]) {
+    diag_error(view->diag, statement_span(view->line, view->line->begin, view->line->end),
+               "`%s:` needs `T:` and three numbers", command->keyword);
+    return;
+  }
+  for (unsigned i = 0; i < 3; i++) set(view, LSYS_SETTING_TROPISM_1_X + i + shift, towards[i]);
+  if (command->meaning == VIEW_TORQUE)
+    set(view, LSYS_SETTING_TROPISM_1_TORQUE + shift, ast_number(view->build, span, 1));
+  view->tropisms++;
 }
 
 // ---- files -------------------------------------------------------------------
@@ -267,6 +299,7 @@ static void read_line(View *view) {
     vector(view, command);
     break;
   case VIEW_TROPISM:
+  case VIEW_TORQUE:
     tropism(view, command);
     break;
   case VIEW_SURFACE:

@@ -170,6 +170,7 @@ static void settings(LsysHelp *help) {
   lsys_help_title(help, "Statements of a grammar that set a default, `keyword: value`");
   for (int i = 0; i < LSYS_SETTING_COUNT; i++) {
     const LsysSettingInfo *info = &lsys_settings[i];
+    if (!*info->doc) continue;
     char names[80], left[80], doc[256];
     snprintf(names, sizeof names, "%s %s", info->keyword, info->others);
     snprintf(left, sizeof left, "%s:", info->keyword);

@@ -12,8 +12,9 @@ typedef bool TurtleAction(LsysTurtle *t, int given, const double *arg);
 // turns.c
 TurtleAction act_left, act_right, act_down, act_up, act_roll_left, act_roll_right, act_around, act_vertical;
 TurtleAction act_head_to, act_swap_turns, act_second_turn;
-TurtleAction act_elasticity, act_tropism_set, act_tropism_up, act_tropism_down;
-void turtle_bend(LsysTurtle *t);               // towards the tropism, after a move
+TurtleAction act_elasticity, act_tropism_set, act_tropism_up, act_tropism_down, act_twist_keep, act_untwist;
+void turtle_bend(LsysTurtle *t);               // towards the tropism of the settings, after a move
+void turtle_lean(LsysTurtle *t);               // towards numbered tropisms, before a move
 LsysVec3 turtle_heading(const LsysTurtle *t);  // unit, or one step on a lattice
 Frame turtle_frame(const LsysTurtle *t);       // whatever the turtle keeps
 

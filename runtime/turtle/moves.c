@@ -23,6 +23,12 @@ static bool vertex(LsysTurtle *t) {
   return true;
 }
 
+// Where the turtle goes: the way that numbered tropisms lead it.
+static LsysVec3 ahead(LsysTurtle *t) {
+  turtle_lean(t);
+  return turtle_heading(t);
+}
+
 // The turtle went to another place.
 static void arrive(LsysTurtle *t, bool draw) {
   if (!draw) {
@@ -30,6 +36,7 @@ static void arrive(LsysTurtle *t, bool draw) {
     return;
   }
   turtle_draw_to(t);
+  if (t->untwists) t->state.kept = t->state.frame;
   if (!t->watches) return;
   t->state.drawn = (LsysVec3){t->state.at[0], t->state.at[1], t->state.z};
   t->state.lines++;
@@ -59,11 +66,11 @@ static bool draw_to_point(LsysTurtle *t, bool edge, const double *arg) {
 // F(l,w): the width is that of this segment only.
 static bool draw(LsysTurtle *t, bool edge, int arity, const double *arg) {
   if (arity == 2 && t->to_points) return draw_to_point(t, edge, arg);
-  if (arity != 2) return move(t, turtle_heading(t), length_of(t, arity, arg), true, edge);
+  if (arity != 2) return move(t, ahead(t), length_of(t, arity, arg), true, edge);
   double width = t->state.width;
   turtle_change_pen(t);
   t->state.width = turtle_width(t, arg[1]);
-  bool ok = move(t, turtle_heading(t), arg[0] * t->state.size, true, edge);
+  bool ok = move(t, ahead(t), arg[0] * t->state.size, true, edge);
   turtle_change_pen(t);
   t->state.width = width;
   return ok;
@@ -78,11 +85,11 @@ bool act_draw_no_vertex(LsysTurtle *t, int given, const double *arg) {
 }
 
 bool act_move(LsysTurtle *t, int given, const double *arg) {
-  return move(t, turtle_heading(t), length_of(t, given, arg), false, true);
+  return move(t, ahead(t), length_of(t, given, arg), false, true);
 }
 
 bool act_move_no_vertex(LsysTurtle *t, int given, const double *arg) {
-  return move(t, turtle_heading(t), length_of(t, given, arg), false, false);
+  return move(t, ahead(t), length_of(t, given, arg), false, false);
 }
 
 bool act_move_to(LsysTurtle *t, int given, const double *arg) {

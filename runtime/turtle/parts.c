@@ -55,6 +55,8 @@ static bool is_local(LsysTurtleOp op) {
   case LSYS_TURTLE_TROPISM_SET:
   case LSYS_TURTLE_TROPISM_UP:
   case LSYS_TURTLE_TROPISM_DOWN:
+  case LSYS_TURTLE_TWIST_KEEP:
+  case LSYS_TURTLE_UNTWIST:
   case LSYS_TURTLE_CIRCLE:
   case LSYS_TURTLE_LABEL:
   case LSYS_TURTLE_CYLINDER_BEGIN:
@@ -111,7 +113,7 @@ static const char *check(const LsysParts *parts) {
   if (!g->expand) return "the interpreter has none";
   if (g->homomorphism) return "it has a homomorphism";
   if (!g->growth.row || !parts->run->block_levels) return "it is not deterministic";
-  if (parts->run->value[LSYS_SETTING_ELASTICITY] != 0) return "a tropism bends it";
+  if (lsys_turtle_bends(parts->run)) return "a tropism bends it";
   for (uint32_t i = 0; i < g->axiom_count; i++) {
     const LsysWord *word = &g->axioms[i].word;
     if (word->narg && g->axiom) return "its start word has arguments that are computed";

@@ -3,6 +3,7 @@
 #ifndef LSYS_TURTLE_STATE_H
 #define LSYS_TURTLE_STATE_H
 
+#include "lsys/settings.h"
 #include "turtle/directions.h"
 #include "turtle/turtle.h"
 #include "turtle/vector.h"
@@ -41,25 +42,39 @@ typedef struct State {
   double width;      // >= 0
   uint32_t heading;  // index into Turtle.directions
   uint8_t colour;
-  bool swapped;       // @x: + turns right
-  uint16_t turned;    // rotations since the frame was straightened
-  double z;           // ---- from here on saved only by turtles that need it
-  double extra;       // degrees that the turtle is turned beyond directions[heading]
-  Pair direction;     // its heading, where extra is not 0
-  double second;      // degrees of the second direction (@a), from +x
-  double scale;       // of default lengths (@s)
-  double size;        // of all lengths and widths (@D)
-  double elasticity;  // how much moves bend towards the tropism
-  Frame frame;        // of a turtle that leaves the page
-  SweepNode node;     // ---- and from here on only by those that sweep: the last node of @Gs
-  double tangent[2];  // lengths of tangents, in distances between nodes
-  bool sweeping;      // between @Gs and @Ge
+  bool swapped;                        // @x: + turns right
+  uint16_t turned;                     // rotations since the frame was straightened
+  double z;                            // ---- from here on saved only by turtles that need it
+  double extra;                        // degrees that the turtle is turned beyond directions[heading]
+  Pair direction;                      // its heading, where extra is not 0
+  double second;                       // degrees of the second direction (@a), from +x
+  double scale;                        // of default lengths (@s)
+  double size;                         // of all lengths and widths (@D)
+  double elasticity;                   // how much moves bend towards the tropism
+  Frame frame;                         // of a turtle that leaves the page
+  double elasticities[LSYS_TROPISMS];  // ---- and from here on only by those that untwist: of numbered tropisms
+  Frame kept;                          // the frame at the last line or @Tf
+  SweepNode node;                      // ---- and from here on only by those that sweep: the last node of @Gs
+  double tangent[2];                   // lengths of tangents, in distances between nodes
+  bool sweeping;                       // between @Gs and @Ge
   uint8_t contour, sides;
   LsysVec3 drawn;  // of a turtle that watches: the end of the last line on the way here,
   uint32_t lines;  //   and how many there are
 } State;
 
-enum { STATE_SMALL = offsetof(State, z), STATE_MEDIUM = offsetof(State, node) };
+enum {
+  STATE_SMALL = offsetof(State, z),
+  STATE_MEDIUM = offsetof(State, elasticities),
+  STATE_UNTWIST = offsetof(State, node)
+};
+
+// A numbered tropism.
+typedef struct Tropism {
+  LsysVec3 towards;
+  double cosine, sine;  // of the angle to it that the heading bends to
+  double step;          // of @Ti and @Td without a second argument
+  bool torque;          // it rolls, and does not bend
+} Tropism;
 
 // What the fast loop does for a kind of modules.
 typedef enum PlainAct {
@@ -113,9 +128,12 @@ struct LsysTurtle {
   double turn_cos, turn_sin;                        // of the default angle
   double width_step, colour_step, elasticity_step;  // of symbols without an argument; width_step nan: by a ratio
   LsysVec3 tropism;
-  bool clockwise;  // turns:
-  bool watches;    // State.drawn and lines are kept
-  bool to_points;  // F(x,y) draws to the point (x,y)
+  Tropism numbered[LSYS_TROPISMS];
+  uint32_t tropisms;  // up to the last one in use
+  bool untwists;      // State.kept is kept
+  bool clockwise;     // turns:
+  bool watches;       // State.drawn and lines are kept
+  bool to_points;     // F(x,y) draws to the point (x,y)
   State start;
   Directions directions;
   KindInfo *kind;
@@ -167,7 +185,12 @@ static inline bool turtle_is_plain(const LsysTurtle *t) {
 // plain.c: reads modules while they are plain, and their arguments; returns how many. Sets *ok to false to stop.
 size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, const double **arg, size_t count, bool *ok);
 
-// turtle.c
+// turtle.c: a setting's value; its default where it is nan or infinite.
+double turtle_setting(const LsysRun *run, LsysSetting which);
+
+// tropism.c: reads the settings of numbered tropisms. False: they make the turtle leave the page.
+bool turtle_set_tropisms(LsysTurtle *t, const LsysRun *run, double *elasticities);
+
 typedef enum TurtleWarning {
   WARN_POP,
   WARN_CLOSE,

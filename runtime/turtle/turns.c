@@ -1,6 +1,6 @@
 // turns.c -- what turns the turtle: in the page by the table of directions, in
-// space by rotations of its frame, towards a tropism.
-// Sources: ABOP p. 19 (rotations), 57 ($), 58 (tropism); cpfg's manual.
+// space by rotations of its frame.
+// Sources: ABOP p. 19 (rotations), 57 ($); cpfg's manual.
 #include "turtle/actions.h"
 
 typedef enum Axis { AXIS_U, AXIS_L, AXIS_H } Axis;
@@ -151,49 +151,5 @@ bool act_head_to(LsysTurtle *t, int given, const double *arg) {
   if (vec_length(l) < 1e-12) l = vec_cross(t->state.frame.h, h);
   l = vec_unit(l);
   t->state.frame = (Frame){h, l, vec_cross(h, l)};
-  return true;
-}
-
-// ---- tropism -------------------------------------------------------------
-
-// Bends the frame towards the tropism by e |H x T| radians (ABOP p. 58), never beyond it.
-void turtle_bend(LsysTurtle *t) {
-  Frame *f = &t->state.frame;
-  LsysVec3 axis = vec_cross(f->h, t->tropism);
-  double sine = vec_length(axis), angle = t->state.elasticity * sine;
-  if (t->flat || !(fabs(angle) > 1e-15)) return;
-  double most = angle > 0 ? atan2(sine, vec_dot(f->h, t->tropism)) : atan2(sine, -vec_dot(f->h, t->tropism));
-  angle = copysign(fmin(fabs(angle), most), angle);
-  axis = vec_scale(axis, 1 / sine);
-  double c = cos(angle), s = sin(angle);
-  *f = (Frame){vec_about(f->h, axis, c, s), vec_about(f->l, axis, c, s), vec_about(f->u, axis, c, s)};
-  frame_straighten(f);
-}
-
-static void set_elasticity(LsysTurtle *t, int given, const double *arg, double base, double sign) {
-  if (given && arg[0] != 1) {
-    turtle_warn(t, WARN_TROPISM, t->read, "there is one tropism only, number 1: the module is left out");
-    return;
-  }
-  t->state.elasticity = base + sign * (given > 1 ? arg[1] : 0);
-}
-
-bool act_elasticity(LsysTurtle *t, int given, const double *arg) {
-  t->state.elasticity = given ? arg[0] : t->state.elasticity + t->elasticity_step;
-  return true;
-}
-
-bool act_tropism_set(LsysTurtle *t, int given, const double *arg) {
-  set_elasticity(t, given, arg, 0, 1);
-  return true;
-}
-
-bool act_tropism_up(LsysTurtle *t, int given, const double *arg) {
-  set_elasticity(t, given, arg, t->state.elasticity, 1);
-  return true;
-}
-
-bool act_tropism_down(LsysTurtle *t, int given, const double *arg) {
-  set_elasticity(t, given, arg, t->state.elasticity, -1);
   return true;
 }

@@ -37,6 +37,7 @@ typedef struct Abilities {
   bool any_length;   // moves whose length is not the default one
   bool any_angle;    // turns by an argument
   bool more_state;   // changes of State beyond its small part
+  bool untwists;     // goes back to a roll that was kept
   bool sweeps;       // generalised cylinders
 } Abilities;
 
@@ -105,6 +106,10 @@ static Abilities abilities(const LsysGrammar *g) {
     case LSYS_TURTLE_TROPISM_DOWN:
       can.free_frame = true;
       break;
+    case LSYS_TURTLE_TWIST_KEEP:
+    case LSYS_TURTLE_UNTWIST:
+      can.free_frame = can.untwists = true;
+      break;
     default:
       break;
     }
@@ -112,8 +117,7 @@ static Abilities abilities(const LsysGrammar *g) {
   return can;
 }
 
-// A setting's value; its default where it is nan or infinite.
-static double setting(const LsysRun *run, LsysSetting which) {
+double turtle_setting(const LsysRun *run, LsysSetting which) {
   double value = run->value[which];
   if (isfinite(value)) return value;
   lsys_warning("%s: is %g; %g is taken instead", lsys_settings[which].keyword, value, lsys_settings[which].value);
@@ -203,31 +207,36 @@ static Frame first_frame(const Directions *d) {
 static bool set_up(LsysTurtle *t) {
   const LsysGrammar *g = t->run->grammar;
   Abilities can = abilities(g);
-  double heading = setting(t->run, LSYS_SETTING_HEADING);
-  t->tropism = (LsysVec3){setting(t->run, LSYS_SETTING_TROPISM_X), setting(t->run, LSYS_SETTING_TROPISM_Y),
-                          setting(t->run, LSYS_SETTING_TROPISM_Z)};
-  double elasticity = setting(t->run, LSYS_SETTING_ELASTICITY);
-  bool bends = can.free_frame || elasticity != 0;
-  t->in_page = !can.leaves_page && !(bends && t->tropism.z != 0);
+  double heading = turtle_setting(t->run, LSYS_SETTING_HEADING);
+  t->tropism =
+    (LsysVec3){turtle_setting(t->run, LSYS_SETTING_TROPISM_X), turtle_setting(t->run, LSYS_SETTING_TROPISM_Y),
+               turtle_setting(t->run, LSYS_SETTING_TROPISM_Z)};
+  double elasticity = turtle_setting(t->run, LSYS_SETTING_ELASTICITY);
+  double elasticities[LSYS_TROPISMS];
+  bool leans_in_page = turtle_set_tropisms(t, t->run, elasticities);
+  bool bends = can.free_frame || elasticity != 0 || t->tropisms;
+  t->untwists = can.untwists || t->tropisms;
+  t->in_page = !can.leaves_page && !(bends && t->tropism.z != 0) && leans_in_page;
   t->flat = t->in_page && !bends;
-  t->angle = setting(t->run, LSYS_SETTING_ANGLE);
+  t->angle = turtle_setting(t->run, LSYS_SETTING_ANGLE);
   t->turn_cos = lsys_cos(t->angle);
   t->turn_sin = lsys_sin(t->angle);
-  t->clockwise = setting(t->run, LSYS_SETTING_TURNS) != 0;
+  t->clockwise = turtle_setting(t->run, LSYS_SETTING_TURNS) != 0;
   t->to_points = g->environment == LSYS_ENVIRONMENT_POINT;
   bool lattice = t->flat && !can.any_length && !can.any_angle;
   if (!directions_create(&t->directions, t->angle, heading, can.any_angle, lattice)) return out_of_memory();
   t->width_step = t->run->value[LSYS_SETTING_WIDTH_STEP];
-  t->colour_step = setting(t->run, LSYS_SETTING_COLOUR_STEP);
-  t->elasticity_step = setting(t->run, LSYS_SETTING_ELASTICITY_STEP);
-  double step = setting(t->run, LSYS_SETTING_STEP), width = setting(t->run, LSYS_SETTING_WIDTH);
+  t->colour_step = turtle_setting(t->run, LSYS_SETTING_COLOUR_STEP);
+  t->elasticity_step = turtle_setting(t->run, LSYS_SETTING_ELASTICITY_STEP);
+  double step = turtle_setting(t->run, LSYS_SETTING_STEP), width = turtle_setting(t->run, LSYS_SETTING_WIDTH);
   t->step = t->directions.lattice ? 1 : step;
   t->plain = t->flat && t->directions.exact && !(g->flags & LSYS_GRAMMAR_WIDE);
   t->sweeps = can.sweeps;
   t->state_size = can.sweeps                                                          ? sizeof(State)
+                : t->untwists                                                         ? STATE_UNTWIST
                 : t->flat && t->directions.exact && !can.any_angle && !can.more_state ? STATE_SMALL
                                                                                       : STATE_MEDIUM;
-  double colour = fmod(trunc(setting(t->run, LSYS_SETTING_COLOUR)), 256);
+  double colour = fmod(trunc(turtle_setting(t->run, LSYS_SETTING_COLOUR)), 256);
   t->start = (State){.width = width > 0 ? width : 0,
                      .colour = (uint8_t)(colour < 0 ? colour + 256 : colour),
                      .second = heading,
@@ -236,7 +245,9 @@ static bool set_up(LsysTurtle *t) {
                      .tangent = {1.2, 1.2},
                      .sides = 8,
                      .elasticity = elasticity,
-                     .frame = first_frame(&t->directions)};
+                     .frame = first_frame(&t->directions),
+                     .kept = first_frame(&t->directions)};
+  memcpy(t->start.elasticities, elasticities, sizeof elasticities);
   t->kind = calloc(g->kind_count + 1, sizeof *t->kind);
   t->plain_kind = calloc(g->kind_count + 1, sizeof *t->plain_kind);
   // One point more: the fast loop stores the place behind the last point, too.

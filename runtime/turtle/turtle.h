@@ -27,6 +27,9 @@ void lsys_turtle_by_age(LsysTurtle *turtle);
 // segments are drawn by one kind, of the last module that the turtle ignores, counted likewise.
 void lsys_turtle_by_kind(LsysTurtle *turtle);
 
+// True if a tropism of the settings is in effect from the start.
+bool lsys_turtle_bends(const LsysRun *run);
+
 // True if the grammar has generalised cylinders, whose widths are lengths: then all widths are.
 bool lsys_turtle_widths_are_lengths(const LsysTurtle *turtle);
 

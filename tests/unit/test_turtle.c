@@ -306,6 +306,55 @@ static void bends_towards_the_tropism(void **state) {
   sample_release(s);
 }
 
+// Where the turtle gets to with tropisms 1 and 2: x, y, z, elasticity, increment, angle, torque of each.
+static LsysVec3 lean(const char *text, const double *first, const double *second) {
+  LsysMeasure m;
+  Sample *s = sample(text, 90);
+  const size_t size = LSYS_TROPISM_SETTINGS * sizeof *first;
+  if (first) memcpy(&s->value[LSYS_SETTING_TROPISM_1_X], first, size);
+  if (second) memcpy(&s->value[LSYS_SETTING_TROPISM_2_X], second, size);
+  LsysVec3 end = draw(s, &m, UINT64_MAX);
+  sample_release(s);
+  return end;
+}
+
+// Numbered tropisms bend before a move, by |H x V| radians, V the sum of their vectors times their elasticities.
+static void leans_to_numbered_tropisms(void **state) {
+  (void)state;
+  const double right[7] = {1, 0, 0, 0.5, 0.1}, up[7] = {0, 1, 0, 0.4}, back[7] = {0, 0, -1, 0.3};
+  const double level[7] = {0, 1, 0, 0.5, 0, 90}, plagio[7] = {1, 0, 0, 0.5, 0, 90}, slant[7] = {1, 0, 0, 0.5, 0, 60};
+  const double two = 0.5 + 0.5 * cos(0.5);
+  assert_at(lean("FF", right, NULL), sin(0.5) + sin(two), cos(0.5) + cos(two), 0);
+  assert_at(lean("F/F", right, NULL), sin(0.5) + sin(two), cos(0.5) + cos(two), 0);
+  assert_at(lean("f", right, NULL), sin(0.5), cos(0.5), 0);
+  assert_at(lean("F", right, up), sin(0.5), cos(0.5), 0);
+  assert_at(lean("F", up, back), 0, cos(0.3), -sin(0.3));
+  assert_at(lean("[@Td(1)]@Ts(2)F", right, back), sin(0.5), cos(0.5), 0);
+  assert_at(lean("@Td(1)@Ts(2,0)F", right, back), sin(0.4), cos(0.4), 0);
+  assert_at(lean("@Ts(1,0.25)@Ti(1)@Ts(3,9)F", right, NULL), sin(0.35), cos(0.35), 0);
+  assert_at(lean("@Ts(1,50)F", right, NULL), sin(1), cos(1), 0);
+  assert_at(lean("F", plagio, NULL), 0, 1, 0);
+  assert_at(lean("F", level, NULL), 0, cos(0.5), sin(0.5));
+  assert_at(lean("F", slant, NULL), sin(0.25), cos(0.25), 0);
+}
+
+// Torques roll -U towards their vector; bending keeps the roll of the last line or @Tf, and so does @Tp.
+static void rolls_by_torques_and_back(void **state) {
+  (void)state;
+  const double right[7] = {1, 0, 0, 0.5}, left[7] = {-1, 0, 0, 0.5, 0, 0, 1};
+  const double two = 0.5 + 0.5 * cos(0.5);
+  assert_at(lean("F@Ts(1,0)+F", left, NULL), -cos(0.5), 1, sin(0.5));
+  assert_at(lean("F@Ts(1,0)@Ts(2,0)+F", right, left), sin(0.5) - cos(0.5) * cos(0.5 * cos(0.5)),
+            cos(0.5) + sin(0.5) * cos(0.5 * cos(0.5)), sin(0.5 * cos(0.5)));
+  assert_at(lean("F/F@Ts(1,0)+F", right, NULL), sin(0.5) + sin(two) - cos(two), cos(0.5) + cos(two) + sin(two), 0);
+  assert_at(lean("F/@TfF@Ts(1,0)+F", right, NULL), sin(0.5) + sin(two), cos(0.5) + cos(two), -1);
+  assert_at(lean("F/++F", NULL, NULL), 0, 0, 0);
+  assert_at(lean("F/+@Tp+F", NULL, NULL), -1, 1, 0);
+  assert_at(lean("F/@Tf+@Tp+F", NULL, NULL), 0, 0, 0);
+  assert_at(lean("F/@Tp+F", NULL, NULL), 0, 1, -1);
+  assert_at(lean("F[/@Tf]/+@Tp+F", NULL, NULL), -1, 1, 0);
+}
+
 // Axes by Gravelius' orders, streams by Strahler's; brackets without segments are no branches.
 static void orders_of_trees(void **state) {
   (void)state;
@@ -378,6 +427,8 @@ int main(void) {
     cmocka_unit_test(draws_surfaces),
     cmocka_unit_test(set_the_state),
     cmocka_unit_test(bends_towards_the_tropism),
+    cmocka_unit_test(leans_to_numbered_tropisms),
+    cmocka_unit_test(rolls_by_torques_and_back),
     cmocka_unit_test(odd_words_have_a_result),
     cmocka_unit_test(many_open_brackets),
   };

@@ -8,6 +8,9 @@ typedef enum LsysSetting {
   LSYS_SETTING_COUNT
 } LsysSetting;
 
+// Numbered tropisms, and how many settings each has.
+enum { LSYS_TROPISMS = 4, LSYS_TROPISM_SETTINGS = LSYS_SETTING_TROPISM_2_X - LSYS_SETTING_TROPISM_1_X };
+
 typedef struct LsysSettingInfo {
   const char *keyword, *others;
   double value;
