@@ -167,7 +167,6 @@ bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar
 
 void lsys_derivation_close(LsysDerivation *derivation) {
   lsys_look_end(&derivation->worker.run);
-  lsys_files_close(&derivation->worker.run);
   lsys_memory_free(derivation->worker.memory, derivation->worker.run.value, derivation->worker.run.grammar->value_count,
                    sizeof(double));
   derivation->worker.run.value = NULL;
@@ -242,7 +241,6 @@ typedef struct Task {
 // The word flows into the sink: as it is, from the interpreter, or from compiled code.
 static bool derive(Task *task) {
   LsysRun *run = &task->worker->run;
-  lsys_files_close(run);
   const LsysGrammar *grammar = run->grammar;
   LsysStream *out = &task->writer.stream;
   if (!grammar->derive) {
@@ -304,7 +302,8 @@ bool lsys_derivation_run(LsysDerivation *derivation, uint32_t axiom, LsysSink *s
   if (task.writer.stream.run) lsys_writer_close(&task.writer);
   lsys_stepper_close(&task.stepper);
   free_axiom(derivation->worker.memory, &task.word);
-  return well && task.well;
+  bool written = lsys_files_close(&derivation->worker.run);
+  return well && task.well && written;
 }
 
 static bool build_blocks(Task *task) {

@@ -1,5 +1,5 @@
 // files.c -- fopen, fscanf and fclose of a grammar's blocks: files have numbers from 1.
-// Invariant: what is open hangs on the run and is closed at its end, or before its next derivation begins.
+// Invariant: what is open hangs on the run and is closed when a derivation ends.
 #include "core/files.h"
 
 #include "core/message.h"
@@ -8,6 +8,7 @@
 #include <errno.h>
 #include <math.h>
 #include <string.h>
+#include <sys/stat.h>
 
 enum { MOST_FILES = 32 };
 
@@ -29,16 +30,24 @@ double lsys_fopen(LsysRun *run, const char *name, const char *mode) {
   for (int i = 0; i < MOST_FILES; i++) {
     if (run->files->at[i]) continue;
     if (!(run->files->at[i] = fopen(name, mode))) lsys_fail(run, "cannot open %s: %s", name, strerror(errno));
+    struct stat info;  // a directory can be opened, but not be read
+    if (fstat(fileno(run->files->at[i]), &info) == 0 && S_ISDIR(info.st_mode))
+      lsys_fail(run, "cannot open %s: %s", name, strerror(EISDIR));
     return i + 1;
   }
   lsys_fail(run, "fopen: %d files are open already", MOST_FILES);
 }
 
+// False where something could not be written, now or before.
+static bool finish(FILE *file) {
+  bool bad = ferror(file);
+  return fclose(file) == 0 && !bad;
+}
+
 void lsys_fclose(LsysRun *run, double file) {
   FILE *stream = lsys_files_at(run, file, "fclose");
   run->files->at[(int)file - 1] = NULL;
-  bool bad = ferror(stream);
-  if (fclose(stream) != 0 || bad) lsys_fail(run, "fclose: cannot write the file: %s", strerror(errno));
+  if (!finish(stream)) lsys_fail(run, "fclose: cannot write the file: %s", strerror(errno));
 }
 
 double lsys_fscanf(LsysRun *run, double file) {
@@ -46,13 +55,15 @@ double lsys_fscanf(LsysRun *run, double file) {
   return fscanf(lsys_files_at(run, file, "fscanf"), "%lf", &value) == 1 ? value : NAN;
 }
 
-void lsys_files_close(LsysRun *run) {
-  if (!run->files) return;
+bool lsys_files_close(LsysRun *run) {
+  if (!run->files) return true;
+  bool well = true;
   for (int i = 0; i < MOST_FILES; i++) {
-    FILE *file = run->files->at[i];
-    bool bad = file && ferror(file);
-    if (file && (fclose(file) != 0 || bad)) lsys_error("cannot write a file of the grammar: %s", strerror(errno));
+    if (!run->files->at[i] || finish(run->files->at[i])) continue;
+    lsys_error("cannot write a file of the grammar: %s", strerror(errno));
+    well = false;
   }
   lsys_memory_free(((LsysWorker *)run)->memory, run->files, 1, sizeof *run->files);
   run->files = NULL;
+  return well;
 }

@@ -4,12 +4,13 @@
 
 #include "lsys/abi.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 
 // The open file of a number; ends the run where there is none. what: the function that asks.
 FILE *lsys_files_at(LsysRun *run, double number, const char *what);
 
-// Closes those that are still open.
-void lsys_files_close(LsysRun *run);
+// Closes those that are still open. False after printing that one was not written.
+bool lsys_files_close(LsysRun *run);
 
 #endif

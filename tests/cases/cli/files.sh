@@ -45,5 +45,9 @@ axiom: A(fscanf(1))
 FILE
 lsysc check wrong.lsys
 printf 'Start: { f = fopen("none.txt", "r"); }\naxiom: A\nA --> A\n' | lsysc run - -n 1
+printf 'Start: { f = fopen("/", "r"); }\naxiom: A\nA --> A\n' | lsysc run - -n 1
+printf 'Start: { f = fopen("/dev/full", "w"); fprintf(f, "1"); }\naxiom: A\nA --> A\n' > full.lsys
+lsysc run full.lsys -n 1 -o full.svg || echo "ends with $?"
+test -e full.svg || echo 'and without a picture'
 printf 'Start: { fclose(3); }\naxiom: A\nA --> A\n' | lsysc interp - -n 1
 printf 'StartEach: { f = fopen("/dev/null", "r"); }\naxiom: A\nA --> A\n' | lsysc run - -n 50
