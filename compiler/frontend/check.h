@@ -41,6 +41,7 @@ typedef struct Name {
   uint32_t slot;           // in the scope whose number is `scope`
   uint64_t scope;
   uint64_t told;  // the scope in which it was reported as unknown
+  bool unread;    // the file of this function could not be read, which was reported
 } Name;
 
 typedef enum ScopeKind {

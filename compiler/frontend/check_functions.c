@@ -149,7 +149,9 @@ void functions_collect(Check *check, const AstStatement *statement) {
   Splines splines = {0};
   size_t errors = diag_errors(check->diag);
   collect(check, statement, &splines);
-  if (diag_errors(check->diag) > errors) check->unread[statement->kind == AST_CURVE] = true;
+  if (diag_errors(check->diag) == errors) return;
+  check->unread[statement->kind == AST_CURVE] = true;
+  if (statement->kind == AST_FUNCTION && statement->name) name_intern(check, statement->name)->unread = true;
 }
 
 void functions_collected(Check *check) {
@@ -291,8 +293,14 @@ static const AstExpr *curve_length(Check *check, const AstExpr *ast) {
   return NULL;
 }
 
+static bool name_is_unread(Check *check, const char *text) {
+  const Name *name = name_intern(check, text);
+  return name->unread && !name->definitions.count;
+}
+
 const AstExpr *functions_call(Check *check, const AstExpr *ast) {
   if (strcmp(ast->name, "curveGAL") == 0) return curve_length(check, ast);
+  if (name_is_unread(check, ast->name)) return NULL;
   int chain = chain_named(ast->name);
   bool curve = chain > 0;
   if (chain >= 0 && check->unread[curve]) return NULL;  // was reported

@@ -5,6 +5,8 @@
 // Source: the function and contour editors of the Virtual Laboratory.
 #include "frontend/spline.h"
 
+#include "lsys/input.h"
+
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -26,7 +28,10 @@ typedef struct Reader {
 } Reader;
 
 static bool fail(Reader *r, const char *what) {
-  snprintf(r->why, r->size, "line %u: %s", r->line, what);
+  if (r->line)
+    snprintf(r->why, r->size, "line %u: %s", r->line, what);
+  else
+    snprintf(r->why, r->size, "%s", what);
   return false;
 }
 
@@ -115,14 +120,16 @@ static bool complete(Reader *r) {
   if (r->left) return fail(r, "the file ends before its last point");
   for (size_t i = 0; i < r->splines->count; i++)
     if (!r->splines->at[i].points.count) return fail(r, "there are no points");
+  r->line = 0;
   return r->splines->count || fail(r, r->curves ? "there is no contour" : "there is no function");
 }
 
 bool splines_read(Arena *arena, const char *path, bool curves, Splines *splines, char *why, size_t size) {
   Reader r = {.arena = arena, .splines = splines, .curves = curves, .why = why, .size = size};
-  FILE *file = fopen(path, "r");
+  const char *reason;
+  FILE *file = lsys_input_open(path, &reason);
   if (!file) {
-    snprintf(why, size, "%s", strerror(errno));
+    snprintf(why, size, "%s", reason);
     return false;
   }
   char *line = NULL;

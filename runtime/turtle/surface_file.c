@@ -1,5 +1,6 @@
 // surface_file.c -- meshes from files: Wavefront OBJ, and cpfg's surfaces of
 // bicubic Bezier patches.
+#include "lsys/input.h"
 #include "lsys/surface.h"
 #include "turtle/patch.h"
 #include "turtle/triangulate.h"
@@ -243,8 +244,9 @@ static bool read_patch_file(Reader *r) {
 // --------------------------------------------------------------------------
 
 bool lsys_surface_read(const char *path, LsysSurface *surface, char *why, size_t size) {
-  Reader r = {.file = fopen(path, "r"), .why = why, .size = size};
-  if (!r.file) return fail(&r, strerror(errno));
+  const char *reason;
+  Reader r = {.file = lsys_input_open(path, &reason), .why = why, .size = size};
+  if (!r.file) return fail(&r, reason);
   const char *suffix = strrchr(path, '.');
   bool well = suffix && strcmp(suffix, ".s") == 0 ? read_patch_file(&r) : read_obj(&r);
   r.number = 0;

@@ -59,6 +59,10 @@ static void refuses_bad_obj(void **state) {
   char why[256];
   assert_false(lsys_surface_read("no such file.obj", &s, why, sizeof why));
   assert_string_equal(why, "No such file or directory");
+  assert_false(lsys_surface_read(".", &s, why, sizeof why));
+  assert_string_equal(why, "is a directory");
+  assert_false(lsys_surface_read("/dev/zero", &s, why, sizeof why));
+  assert_string_equal(why, "is not a file");
 }
 
 // A flat patch from (0,0) to (3,6) about the contact point (0,0), of size 2, whose heading is x.
