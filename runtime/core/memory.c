@@ -75,40 +75,36 @@ void lsys_memory_free(LsysMemory *memory, void *at, size_t count, size_t size) {
   lsys_memory_give(memory, (uint64_t)count * size);
 }
 
-void *lsys_memory_grow(LsysMemory *memory, void *at, size_t *capacity, size_t size) {
-  size_t wanted = *capacity ? *capacity : LEAST_CAPACITY / 2, bytes = SIZE_MAX, before = at ? *capacity * size : 0;
-  if (__builtin_mul_overflow(wanted, (size_t)2, &wanted) || __builtin_mul_overflow(wanted, size, &bytes))
-    bytes = SIZE_MAX;
+// The array of `before` bytes with room for `wanted` elements; NULL after printing why not, and the array stays.
+static void *move(LsysMemory *memory, void *at, size_t before, size_t wanted, size_t size) {
+  size_t bytes;
+  if (__builtin_mul_overflow(wanted, size, &bytes)) bytes = SIZE_MAX;
   void *grown = NULL;
   // Both arrays stand side by side while the old one is copied.
   if (lsys_memory_take(memory, bytes)) {
     grown = realloc(at, bytes);
     lsys_memory_give(memory, grown ? before : bytes);
   }
-  if (!grown) {
-    lsys_memory_refuse(memory, bytes);
-    return NULL;
-  }
-  *capacity = wanted;
+  if (!grown) lsys_memory_refuse(memory, bytes);
+  return grown;
+}
+
+void *lsys_memory_grow(LsysMemory *memory, void *at, size_t *capacity, size_t size) {
+  size_t wanted = *capacity ? *capacity : LEAST_CAPACITY / 2, before = at ? *capacity * size : 0;
+  if (__builtin_mul_overflow(wanted, (size_t)2, &wanted)) wanted = SIZE_MAX;
+  void *grown = move(memory, at, before, wanted, size);
+  if (grown) *capacity = wanted;
   return grown;
 }
 
 bool lsys_memory_fit(LsysMemory *memory, void *array, size_t *room, size_t count, size_t size) {
   if (count <= *room) return true;
-  size_t wanted = *room < LEAST_CAPACITY / 2 ? LEAST_CAPACITY : 2 * *room, bytes;
+  size_t wanted = *room < LEAST_CAPACITY / 2 ? LEAST_CAPACITY : 2 * *room;
   if (wanted < count) wanted = count;
-  if (__builtin_mul_overflow(wanted, size, &bytes)) bytes = SIZE_MAX;
-  void *old, *grown = NULL;
+  void *old;
   memcpy(&old, array, sizeof old);
-  // Both arrays stand side by side while the old one is copied.
-  if (lsys_memory_take(memory, bytes)) {
-    grown = realloc(old, bytes);
-    lsys_memory_give(memory, grown ? *room * size : bytes);
-  }
-  if (!grown) {
-    lsys_memory_refuse(memory, bytes);
-    return false;
-  }
+  void *grown = move(memory, old, *room * size, wanted, size);
+  if (!grown) return false;
   memcpy(array, &grown, sizeof grown);
   *room = wanted;
   return true;

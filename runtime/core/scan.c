@@ -205,11 +205,11 @@ void lsys_cut(LsysScan *scan) {
 
 // ---- preparing -------------------------------------------------------------------
 
-bool scan_tables(ScanTables *tables, const LsysGrammar *grammar) {
-  *tables = (ScanTables){.grammar = grammar, .open = LSYS_NO_MODULE, .close = LSYS_NO_MODULE};
+bool scan_tables(ScanTables *tables, const LsysGrammar *grammar, LsysMemory *memory) {
+  *tables = (ScanTables){.grammar = grammar, .memory = memory, .open = LSYS_NO_MODULE, .close = LSYS_NO_MODULE};
   tables->wide = (grammar->flags & LSYS_GRAMMAR_WIDE) != 0;
-  tables->arity = calloc(grammar->kind_count + 1, sizeof *tables->arity);
-  tables->turn = calloc(grammar->kind_count + 1, sizeof *tables->turn);
+  tables->arity = lsys_memory_alloc(memory, grammar->kind_count, sizeof *tables->arity);
+  tables->turn = lsys_memory_alloc(memory, grammar->kind_count, sizeof *tables->turn);
   if (!tables->arity || !tables->turn) return false;
   for (uint32_t kind = 0; kind < grammar->kind_count; kind++) {
     tables->arity[kind] = grammar->kinds[kind].arity;
@@ -223,8 +223,9 @@ bool scan_tables(ScanTables *tables, const LsysGrammar *grammar) {
 }
 
 void scan_tables_free(ScanTables *tables) {
-  free(tables->arity);
-  free(tables->turn);
+  if (!tables->grammar) return;
+  lsys_memory_free(tables->memory, tables->arity, tables->grammar->kind_count, sizeof *tables->arity);
+  lsys_memory_free(tables->memory, tables->turn, tables->grammar->kind_count, sizeof *tables->turn);
 }
 
 // A `[` whose `]` was not met yet.

@@ -3,12 +3,14 @@
 #ifndef LSYS_CORE_SCAN_H
 #define LSYS_CORE_SCAN_H
 
+#include "core/memory.h"
 #include "lsys/abi.h"
 #include "lsys/scan.h"
 
 // What matching needs to know of a grammar's kinds, once per run.
 typedef struct ScanTables {
   const LsysGrammar *grammar;
+  LsysMemory *memory;
   uint16_t *arity;  // by kind
   uint8_t wide;     // 1: symbols take two bytes
   bool parametric;  // some kind has arguments
@@ -17,8 +19,8 @@ typedef struct ScanTables {
   uint32_t close;
 } ScanTables;
 
-// False when memory ran out.
-bool scan_tables(ScanTables *tables, const LsysGrammar *grammar);
+// False after printing that there is no memory. Free them in either case.
+bool scan_tables(ScanTables *tables, const LsysGrammar *grammar, LsysMemory *memory);
 void scan_tables_free(ScanTables *tables);
 
 // How often a kind stands in a segment.

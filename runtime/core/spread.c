@@ -344,7 +344,7 @@ bool lsys_spread_open(LsysSpread **place, LsysWorker *worker, unsigned threads, 
   if (!s) return false;
   s->worker = worker;
   s->stretch = stretch;
-  if (!lsys_team_open(&s->team, worker, threads) || !scan_tables(&s->tables, grammar)) return false;
+  if (!lsys_team_open(&s->team, worker, threads) || !scan_tables(&s->tables, grammar, memory)) return false;
   s->shares = lsys_memory_alloc(memory, threads, sizeof *s->shares);
   for (unsigned i = 0; s->shares && i < threads; i++) {
     Share *share = &s->shares[i];

@@ -7,7 +7,7 @@ bool lsys_walk_open(LsysWalk *walk, LsysWorker *worker) {
   walk->scans = lsys_memory_alloc(worker->memory, grammar->view_count, sizeof *walk->scans);
   size_t neighbours = (size_t)grammar->view_count * grammar->left_window;
   if (walk->scans) walk->left = lsys_memory_alloc(worker->memory, neighbours, sizeof *walk->left);
-  return walk->left && scan_tables(&walk->tables, grammar);
+  return walk->left && scan_tables(&walk->tables, grammar, worker->memory);
 }
 
 void lsys_walk_close(LsysWalk *walk) {
