@@ -1,5 +1,5 @@
 // number.c -- double -> the shortest decimal that reads back to it, the nearest
-// of them where there are several.
+// of them where there are several; or the nearest one of few digits.
 //
 // Source: Raffaello Giulietti, "The Schubfach way to render doubles" (2021).
 // x = c * 2^q; a 128-bit approximation of a power of ten scales the interval of
@@ -7,6 +7,7 @@
 #include "lsys/number.h"
 
 #include <pthread.h>
+#include <stdio.h>
 #include <string.h>
 
 typedef struct Wide {  // high * 2^64 + low
@@ -176,4 +177,49 @@ char *lsys_number_print(char *to, double x) {
   if (magnitude < 0x1p53 && magnitude == (double)(uint64_t)magnitude) return lsys_whole_print(to, (uint64_t)magnitude);
   pthread_once(&powers_once, powers_make);
   return layout(to, shortest(fraction, exponent));
+}
+
+// ---- few digits --------------------------------------------------------------
+
+static const uint64_t tens[] = {1,
+                                10,
+                                100,
+                                1000,
+                                10000,
+                                100000,
+                                1000000,
+                                10000000,
+                                100000000,
+                                1000000000,
+                                UINT64_C(10000000000),
+                                UINT64_C(100000000000),
+                                UINT64_C(1000000000000),
+                                UINT64_C(10000000000000)};
+
+// x * 10^k to the nearest whole number, to the even one of two; k from 0 to 13, x at least 2^-14 and less than 2^30.
+static uint64_t scale(double x, int k) {
+  uint64_t bits;
+  memcpy(&bits, &x, sizeof bits);
+  uint64_t c = (bits & ((UINT64_C(1) << 52) - 1)) | UINT64_C(1) << 52;
+  int shift = 1075 - (int)(bits >> 52);
+  unsigned __int128 product = (unsigned __int128)c * tens[k], half = (unsigned __int128)1 << (shift - 1);
+  uint64_t whole = (uint64_t)(product >> shift);
+  unsigned __int128 rest = product - ((unsigned __int128)whole << shift);
+  return whole + (rest > half || (rest == half && (whole & 1)));
+}
+
+// 10^(exponent + 1) of the exponents from -4.
+static const double next_power[] = {1e-3, 1e-2, 1e-1, 1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+
+char *lsys_number_round(char *to, double x, int digits) {
+  if (x == 0) return lsys_number_print(to, x);
+  double magnitude = x < 0 ? -x : x;
+  if (!(magnitude >= 1e-4 && magnitude < (double)tens[digits - 1])) return to + sprintf(to, "%.*g", digits, x);
+  int exponent = -4;  // of the first digit
+  while (magnitude >= next_power[exponent + 4]) exponent++;
+  uint64_t rounded = scale(magnitude, digits - 1 - exponent);
+  if (rounded >= tens[digits]) rounded = scale(magnitude, digits - 1 - ++exponent);
+  if (rounded < tens[digits - 1]) rounded = scale(magnitude, digits - 1 - --exponent);
+  if (x < 0) *to++ = '-';
+  return layout(to, (Decimal){rounded, exponent - digits + 1});
 }

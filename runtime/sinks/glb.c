@@ -200,7 +200,12 @@ LsysModel *lsys_glb_create(LsysOut *out) {
     lsys_error("out of memory");
     return NULL;
   }
-  g->model = (LsysModel){open_model, NULL, vertices, triangles, edges, close_model, destroy};
+  g->model = (LsysModel){.open = open_model,
+                         .vertices = vertices,
+                         .triangles = triangles,
+                         .edges = edges,
+                         .close = close_model,
+                         .destroy = destroy};
   g->out = out;
   return &g->model;
 }

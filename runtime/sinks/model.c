@@ -76,7 +76,8 @@ static bool start(ModelSink *m, const LsysRun *run) {
   if (m->turtle) return true;
   if (!lsys_layout_create(&m->layout, run->grammar->axiom_count)) return false;
   m->grammar = run->grammar;
-  m->tubes.memory = run->memory;
+  m->tubes.memory = m->model->memory = run->memory;
+  m->model->threads = run->threads;
   m->turtle = lsys_turtle_create(run);
   return m->turtle != NULL;
 }

@@ -37,6 +37,9 @@ struct LsysModel {
   bool (*edges)(LsysModel *model, const uint32_t *end, const uint8_t *colour, size_t count);
   bool (*close)(LsysModel *model);
   void (*destroy)(LsysModel *model);
+  // Before open: the account, and how many threads may work for the model; 0: one.
+  struct LsysMemory *memory;
+  unsigned threads;
 };
 
 // The models that there are, over an output that is not committed. NULL after printing why. mtl: where the materials

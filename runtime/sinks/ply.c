@@ -95,7 +95,12 @@ LsysModel *lsys_ply_create(LsysOut *out) {
     lsys_error("out of memory");
     return NULL;
   }
-  p->model = (LsysModel){open_model, NULL, vertices, triangles, edges, close_model, destroy};
+  p->model = (LsysModel){.open = open_model,
+                         .vertices = vertices,
+                         .triangles = triangles,
+                         .edges = edges,
+                         .close = close_model,
+                         .destroy = destroy};
   p->out = out;
   return &p->model;
 }

@@ -147,12 +147,47 @@ static void whole_numbers(void **state) {
   }
 }
 
+static void check_rounded(double x) {
+  char text[64], wanted[64];
+  for (int digits = 1; digits <= 9; digits++) {
+    *lsys_number_round(text, x, digits) = 0;
+    snprintf(wanted, sizeof wanted, "%.*g", digits, x);
+    assert_string_equal(text, wanted);
+  }
+}
+
+// As printf rounds: numbers of all sizes, ties, and what is next to a power of ten.
+static void few_digits(void **state) {
+  (void)state;
+  check_rounded(0);
+  check_rounded(-0.0);
+  for (int e = -12; e < 12; e++) {
+    char text[16];
+    snprintf(text, sizeof text, "1e%d", e);
+    double x = strtod(text, NULL);
+    const double near[] = {x, nextafter(x, 0), nextafter(x, INFINITY), x * (1 - 1e-8), 0.99995 * x, -x};
+    for (size_t i = 0; i < sizeof near / sizeof *near; i++) {
+      check_rounded(near[i]);
+      check_rounded((float)near[i]);
+    }
+  }
+  for (uint64_t i = 0; i < 20000; i++) {
+    uint64_t bits = lsys_mix64(i);
+    double uniform = lsys_draw(bits, 0);
+    check_rounded((float)(uniform * 1000 - 500));
+    check_rounded(uniform * (double)(bits % 100000000));
+    check_rounded(uniform / 1000);
+    check_rounded((double)(bits % 100000) / 64);  // ties
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(known_texts),
     cmocka_unit_test(powers_of_two_and_neighbours),
     cmocka_unit_test(powers_of_ten_and_neighbours),
     cmocka_unit_test(random_bits),
+    cmocka_unit_test(few_digits),
     cmocka_unit_test(whole_numbers),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -10,6 +10,9 @@ enum { LSYS_NUMBER_SIZE = 32 };  // room that lsys_number_print needs
 // Returns the end; writes no terminating zero.
 char *lsys_number_print(char *to, double x);
 
+// Writes x with at most that many digits, 1 to 9, as %.{digits}g of printf does. Same return.
+char *lsys_number_round(char *to, double x, int digits);
+
 // Writes n in decimal; at most 20 characters.
 char *lsys_whole_print(char *to, uint64_t n);
 
