@@ -78,6 +78,7 @@ static void describe_looks(Arena *arena, const Program *program, LsysGrammar *gr
   grammar->surface_count = (uint32_t)program->surface_count;
   grammar->colours = program->colours;
   grammar->colour_count = (uint32_t)program->colour_count;
+  grammar->page = program->page;
 }
 
 static size_t larger(size_t a, size_t b) {

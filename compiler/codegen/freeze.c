@@ -93,6 +93,13 @@ static LLVMValueRef growth(Ir *ir) {
   return LLVMConstNamedStruct(ir->types.growth, fields, 3);
 }
 
+static LLVMValueRef page(Ir *ir) {
+  LLVMValueRef texts[LSYS_PAGE_COUNT];
+  for (int i = 0; i < LSYS_PAGE_COUNT; i++)
+    texts[i] = text(ir, ir->description->page ? ir->description->page[i] : NULL);
+  return structs(ir, ir->types.ptr, texts, LSYS_PAGE_COUNT, "page");
+}
+
 static LLVMValueRef surfaces(Ir *ir) {
   const LsysGrammar *g = ir->description;
   LLVMValueRef *rows = arena_array(ir->arena, g->surface_count, sizeof *rows);
@@ -193,6 +200,7 @@ void freeze_grammar(Ir *ir, const Entries *entries) {
     FIELD(surfaces, surfaces(ir)),
     FIELD(colour_count, int_of(i32, g->colour_count)),
     FIELD(colours, numbers(ir, g->colours, g->colour_count)),
+    FIELD(page, page(ir)),
     FIELD(environment, int_of(i32, g->environment)),
     FIELD(environment_path, g->environment_path ? text(ir, g->environment_path) : null),
     FIELD(environment_value,

@@ -132,6 +132,7 @@ typedef enum AstStatementKind {
   AST_ENVIRONMENT,  // value = AST_CALL, AST_NAME or AST_STRING
   AST_FUNCTION,     // function NAME: file; functions: file (name NULL): all of the file; value = AST_STRING
   AST_CURVE,        // curve NAME: file
+  AST_PAGE,         // size, background, camera, projection: setting (LsysPageSetting), name = what it says
 } AstStatementKind;
 
 typedef struct AstArray {
@@ -152,7 +153,7 @@ typedef struct AstStatement {
   AstExpr *value, *low, *high;
   AstActions actions;
   AstArrays arrays;
-  unsigned setting;
+  unsigned setting;          // AST_SETTING, AST_PAGE
   const SourceFile *beside;  // files that it names are beside this one; NULL: beside the main file
   bool fallback;             // of a view file: a setting that the grammar does not state itself
 } AstStatement;

@@ -124,8 +124,9 @@ static void dump_statement(const AstStatement *s, FILE *out) {
     "axiom",      "production",    "define",  "undef",       "param",         "modules",      "setting",
     "ignore",     "consider",      "block",   "arrays",      "decomposition", "homomorphism", "productions",
     "warnings",   "maximum-depth", "seed",    "table",       "tables",        "ring",         "lsystem",
-    "endlsystem", "surface",       "colours", "environment", "function",      "curve"};
+    "endlsystem", "surface",       "colours", "environment", "function",      "curve",        "page"};
   fputs(kinds[s->kind], out);
+  if (s->kind == AST_PAGE) fprintf(out, " %s", lsys_page_settings[s->setting].keyword);
   if (s->kind == AST_SETTING)
     fprintf(out, " %s", lsys_settings[s->setting].keyword);
   else if (s->name)

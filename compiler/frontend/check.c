@@ -48,6 +48,7 @@ static void fill(Check *check) {
   program->surface_count = check->surfaces.count;
   program->colours = check->colours.at;
   program->colour_count = check->colours.count;
+  for (int i = 0; i < LSYS_PAGE_COUNT; i++) program->page[i] = check->page[i] ? check->page[i]->name : NULL;
   program->names = check->symbols.at;
   program->name_count = check->symbols.count;
   program->sites = check->sites;

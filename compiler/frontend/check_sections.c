@@ -130,6 +130,20 @@ static void read_colours(Check *check, const AstStatement *statement) {
   }
 }
 
+static void read_page(Check *check, const AstStatement *statement) {
+  LsysPageSetting setting = (LsysPageSetting)statement->setting;
+  const char *keyword = lsys_page_settings[setting].keyword, *wanted = lsys_page_wrong(setting, statement->name);
+  if (wanted) {
+    diag_error(check->diag, statement->name_span, "`%s` is no %s", statement->name, keyword);
+    diag_hint(check->diag, "%s", wanted);
+  }
+  if (check->page[setting]) {
+    diag_warning(check->diag, WARN_REDEFINED, statement->span, "`%s:` is given twice; the last one counts", keyword);
+    diag_note(check->diag, check->page[setting]->span, "the other one is here");
+  }
+  check->page[setting] = statement;
+}
+
 // ---- surfaces --------------------------------------------------------------------------------
 
 static const struct {
@@ -304,6 +318,9 @@ static void read_statement(Check *check, const AstStatement *statement) {
     break;
   case AST_COLOURS:
     read_colours(check, statement);
+    break;
+  case AST_PAGE:
+    read_page(check, statement);
     break;
   case AST_FUNCTION:
   case AST_CURVE:

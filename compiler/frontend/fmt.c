@@ -293,6 +293,9 @@ static void print_statement(Printer *printer, const AstStatement *statement, boo
   case AST_SETTING:
     print_setting(printer, statement);
     break;
+  case AST_PAGE:
+    fprintf(OUT(printer), "%s: %s", lsys_page_settings[statement->setting].keyword, statement->name);
+    break;
   case AST_ENVIRONMENT:
     print_value(printer, "environment:", statement->value);
     break;

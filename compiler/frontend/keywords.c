@@ -12,6 +12,8 @@ static const Keyword keywords[] = {
 #undef KEYWORD
 #define SETTING(id, keyword, others, value, unit, doc)                                                                 \
   {TOK_SETTING, {keyword, others}, COLON_NEEDS, SCAN_EXPRESSION, LSYS_SETTING_##id},
+#define PAGE(id, keyword, others, form, option, doc)                                                                   \
+  {TOK_PAGE, {keyword, others}, COLON_NEEDS, SCAN_PAGE, LSYS_PAGE_##id},
 #include "lsys/settings.def"
 };
 enum { KEYWORDS = sizeof keywords / sizeof *keywords };

@@ -12,7 +12,7 @@ typedef struct Keyword {
   const char *spellings[2];  // separated by blanks, `_` for a blank
   KeywordColon colon;
   ScanMode rest;
-  unsigned setting;  // TOK_SETTING: index in settings.def
+  unsigned setting;  // TOK_SETTING, TOK_PAGE: index in settings.def
 } Keyword;
 
 // Where a keyword stands.

@@ -38,7 +38,7 @@ static void yyerror(const Span *span, Parser *parser, const char *message);
 %token <const char *> LABEL "a label" NAME "a name" FUNCTION "a name with parameters"
 %token <const char *> SYMBOL "a module" STRING "a string"
 %token <double> NUMBER "a number"
-%token <unsigned> SETTING "a setting"
+%token <unsigned> SETTING "a setting" PAGE "a setting of pictures"
 %token EMPTY "`ε`" ARROW "an arrow" CONDITION "a condition"
 
 %token AXIOM "`axiom:`" SEED "`seed:`" IGNORE "`ignore:`" CONSIDER "`consider:`" START "`Start:`"
@@ -112,6 +112,7 @@ statement:
     s->value = $2;
     if ($2->kind == AST_NAME) s->name = $2->name;
   }
+| PAGE NAME { build_named(parser, AST_PAGE, $2, @2)->setting = $1; }
 | SEED expr { build_statement(parser, AST_SECTION_SEED)->value = $2; }
 | DECOMPOSITION { build_statement(parser, AST_DECOMPOSITION); }
 | DECOMPOSITION names { build_section(parser, AST_DECOMPOSITION, $2); }

@@ -240,6 +240,7 @@ typedef struct Program {
   size_t surface_count;
   uint32_t *colours;  // 0xRRGGBB of the indices from 0 on that `colours:` gives
   size_t colour_count;
+  const char *page[LSYS_PAGE_COUNT];  // what it says of its pictures; NULL: nothing
   const char **names;  // declared, whether or not a kind has them: how words are cut into symbols
   size_t name_count;
   Actions start, start_each, end_each, end;

@@ -273,6 +273,8 @@ void program_dump(const Program *program, FILE *out) {
   if (program->colour_count) fputs("colours:", out);
   for (size_t i = 0; i < program->colour_count; i++)
     fprintf(out, " #%06x%s", program->colours[i], i + 1 < program->colour_count ? "" : "\n");
+  for (int i = 0; i < LSYS_PAGE_COUNT; i++)
+    if (program->page[i]) fprintf(out, "%s: %s\n", lsys_page_settings[i].keyword, program->page[i]);
   dump_block(&dump, "start", &program->start, 0);
   dump_block(&dump, "start each", &program->start_each, 0);
   dump_block(&dump, "end each", &program->end_each, 0);

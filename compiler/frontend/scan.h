@@ -23,13 +23,14 @@ typedef enum ScanMode {
   SCAN_SURFACE,     // NAME: form
   SCAN_FORM,        // a call, a name, or a file's name
   SCAN_COLOURS,     // #rrggbb and names
+  SCAN_PAGE,        // one text, as an option of pictures has it
   SCAN_LINE         // not scanned: the reader's business
 } ScanMode;
 
 typedef struct Piece {
   ScanMode mode;
   int token;         // SCAN_TOKEN
-  unsigned setting;  // TOK_SETTING: index in settings.def
+  unsigned setting;  // TOK_SETTING, TOK_PAGE: index in settings.def
   const char *text;  // length bytes
   size_t length;
   Span span;

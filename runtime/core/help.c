@@ -166,6 +166,17 @@ static void functions(LsysHelp *help) {
   }
 }
 
+static void pages(LsysHelp *help) {
+  lsys_help_title(help, "Statements of a grammar about its pictures");
+  for (int i = 0; i < LSYS_PAGE_COUNT; i++) {
+    const LsysPageInfo *info = &lsys_page_settings[i];
+    char names[80], left[80];
+    snprintf(names, sizeof names, "%s %s", info->keyword, info->others);
+    snprintf(left, sizeof left, "%s: %s", info->keyword, info->form);
+    lsys_help_entry(help, names, left, info->doc);
+  }
+}
+
 static void settings(LsysHelp *help) {
   lsys_help_title(help, "Statements of a grammar that set a default, `keyword: value`");
   for (int i = 0; i < LSYS_SETTING_COUNT; i++) {
@@ -178,6 +189,7 @@ static void settings(LsysHelp *help) {
     snprintf(doc, sizeof doc, isnan(info->value) ? "%s" : "%s (default: %g%s)", info->doc, info->value, unit);
     lsys_help_entry(help, names, left, doc);
   }
+  pages(help);
 }
 
 static void environments(LsysHelp *help) {

@@ -21,6 +21,11 @@ const LsysSettingInfo lsys_settings[LSYS_SETTING_COUNT] = {
 #include "lsys/settings.def"
 };
 
+const LsysPageInfo lsys_page_settings[LSYS_PAGE_COUNT] = {
+#define PAGE(id, keyword, others, form, option, doc) [LSYS_PAGE_##id] = {keyword, others, form, doc},
+#include "lsys/settings.def"
+};
+
 const LsysTurtleInfo lsys_turtle[LSYS_TURTLE_COUNT] = {
 #define TURTLE(id, symbol, least, most, unit, fallback, doc, source)                                                   \
   [LSYS_TURTLE_##id] = {symbol, least, most, unit, fallback, doc, source},

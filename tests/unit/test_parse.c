@@ -192,6 +192,8 @@ static void test_settings(void **state) {
         "setting steps value 5\nsetting steps value 6\nsetting angle value 7\nsetting angle value 8\n"
         "setting tropism_x value 1\nsetting tropism_x value 2\nsetting turns value clockwise\n"
         "maximum-depth value 3\nseed value 4\n");
+  reads("size: 400x300\nbackground: #0d1b2a\ncamera: 30 , -20\nprojection: perspective",
+        "page size 400x300\npage background #0d1b2a\npage camera 30,-20\npage projection perspective\n");
   reads("#modules seed\nseed : x -> seed", "modules seed\nproduction strict seed guard x successor seed\n");
 }
 

@@ -24,7 +24,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define LSYS_ABI_VERSION 2u
+#define LSYS_ABI_VERSION 3u
 
 #define LSYS_FAR (UINT64_C(1) << 62)  // more steps than any derivation has; see expand
 
@@ -218,6 +218,9 @@ struct LsysGrammar {
   // 0xRRGGBB of the first colour indices (`colours:`).
   uint32_t colour_count;
   const uint32_t *colours;
+
+  // What the grammar says of its pictures: LSYS_PAGE_COUNT texts, NULL where nothing; NULL: nothing at all.
+  const char *const *page;
 
   uint32_t environment;             // LsysEnvironmentId
   const char *environment_path;     // LSYS_ENVIRONMENT_FILE: of the shared object

@@ -17,6 +17,22 @@ typedef struct LsysSettingInfo {
   const char *unit, *doc;
 } LsysSettingInfo;
 
+// What a grammar says of its pictures, as text.
+typedef enum LsysPageSetting {
+#define PAGE(id, keyword, others, form, option, doc) LSYS_PAGE_##id,
+#include "lsys/settings.def"
+  LSYS_PAGE_COUNT
+} LsysPageSetting;
+
+typedef struct LsysPageInfo {
+  const char *keyword, *others, *form, *doc;
+} LsysPageInfo;
+
+extern const LsysPageInfo lsys_page_settings[LSYS_PAGE_COUNT];
+
+// What is wanted instead of a text; NULL: nothing is wrong with it.
+const char *lsys_page_wrong(LsysPageSetting setting, const char *text);
+
 extern const LsysSettingInfo lsys_settings[LSYS_SETTING_COUNT];
 
 #endif
