@@ -222,25 +222,36 @@ static void check_stack(Rewrite *rewrite) {
   ir_at(ir, go);
 }
 
+// The last steps straight-line: cases of the switch on the steps that are left.
+static void write_last(Rewrite *rewrite, const Production *production, const Derived *modules) {
+  Ir *ir = rewrite->scope.ir;
+  size_t count = production->successor.count;
+  bool leaf = leaf_kind(ir, rewrite->kind);
+  uint32_t leaves = leaf_room(ir, &production->successor);
+  unsigned levels = leaf ? 0 : fuse_levels(ir, production);
+  if (!levels && !leaves) return;
+  LLVMBasicBlockRef more = ir_block(ir, "more");
+  LLVMValueRef choice = LLVMBuildSwitch(ir->builder, rewrite->steps, more, levels + 1);
+  for (unsigned level = 1; level <= (leaves ? 2 : levels); level++) {
+    if (level == 1 && leaf) continue;
+    LLVMBasicBlockRef block = ir_block(ir, "last");
+    LLVMAddCase(choice, ir_int(ir, level), block);
+    ir_at(ir, block);
+    if (level == 2 && leaves)
+      leaf_write_word(rewrite, modules, count, leaves);
+    else
+      fuse_write(rewrite, modules, count, level - 1);
+    finish(rewrite);
+  }
+  ir_at(ir, more);
+}
+
 // The last steps straight-line, any others by calls.
 static void take(Rewrite *rewrite, const Production *production) {
   Ir *ir = rewrite->scope.ir;
   size_t count = production->successor.count;
   const Derived *modules = successor_derive(rewrite, production);
-  bool fusing = rewrite->way == WAY_EXPAND && !ir->facts->kinds[rewrite->kind].fixed;
-  unsigned levels = fusing ? fuse_levels(ir, production) : 0;
-  if (levels) {
-    LLVMBasicBlockRef more = ir_block(ir, "more");
-    LLVMValueRef choice = LLVMBuildSwitch(ir->builder, rewrite->steps, more, levels);
-    for (unsigned level = 1; level <= levels; level++) {
-      LLVMBasicBlockRef block = ir_block(ir, "last");
-      LLVMAddCase(choice, ir_int(ir, level), block);
-      ir_at(ir, block);
-      fuse_write(rewrite, modules, count, level - 1);
-      finish(rewrite);
-    }
-    ir_at(ir, more);
-  }
+  if (rewrite->way == WAY_EXPAND && !ir->facts->kinds[rewrite->kind].fixed) write_last(rewrite, production, modules);
   if (recurs(rewrite, &production->successor)) check_stack(rewrite);
   for (size_t i = 0; i < count; i++) expand_hand_on(rewrite, &modules[i], i + 1 == count);
   if (count == 0) finish(rewrite);
@@ -424,6 +435,17 @@ static void prepare(Rewrite *rewrite, const Productions *productions) {
   }
 }
 
+// With one step to go, what a draw alone decides is looked up.
+static void define_leaf(Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMBasicBlockRef leaf = ir_block(ir, "leaf"), more = ir_block(ir, "more");
+  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, rewrite->steps, ir_int(ir, 1), ""), leaf, more);
+  ir_at(ir, leaf);
+  leaf_write(rewrite, rewrite->kind, rewrite->scope.key);
+  finish(rewrite);
+  ir_at(ir, more);
+}
+
 static void define(Ir *ir, Way way, size_t system, KindId kind) {
   Rewrite rewrite = {.scope = {.ir = ir, .constant_values = !ir->state}, .way = way, .kind = kind, .system = system};
   Walk walk = {0};
@@ -441,6 +463,7 @@ static void define(Ir *ir, Way way, size_t system, KindId kind) {
   LLVMBasicBlockRef end = tells_limit(&rewrite) ? ir_block(ir, "limit") : rewrite.self;
   stop_at_zero(&rewrite, way == WAY_EXPAND ? rewrite.ahead : rewrite.depth, end);
   prepare(&rewrite, productions);
+  if (way == WAY_EXPAND && leaf_kind(ir, kind)) define_leaf(&rewrite);
   if (select_production(&rewrite, productions, take)) stay(&rewrite);
   if (end != rewrite.self) define_limit(&rewrite, end, productions);
   settle(&rewrite);

@@ -53,7 +53,7 @@ typedef enum Way {
   WAY_DECOMPOSE,  // (out, cursors, steps, depth, args..., key): decomposes, then derives by steps
   WAY_INTERPRET,  // (out, cursors, depth, args..., key): homomorphism; (out, cursors, scan, depth, args..., key) where
                   // it takes whole words
-  WAY_STEP,  // no function of its own: in a loop over the word
+  WAY_STEP,       // no function of its own: in a loop over the word
   WAY_COUNT
 } Way;
 
@@ -124,6 +124,10 @@ void ir_attribute(Ir *ir, LLVMValueRef function, unsigned place, const char *nam
 LLVMValueRef key_split(Ir *ir, LLVMValueRef key, uint64_t child);
 LLVMValueRef key_chain(Ir *ir, LLVMValueRef key, LLVMValueRef steps);  // split(key, 0) so many times
 LLVMValueRef key_draw(Ir *ir, LLVMValueRef key, LLVMValueRef number);
+LLVMValueRef key_bits(Ir *ir, LLVMValueRef key, LLVMValueRef number);  // the 64 bits that the draw is made of
+// i1: the draw of these bits times sum is below bound, as if both were multiplied and compared as doubles.
+LLVMValueRef key_below(Ir *ir, LLVMValueRef bits, double sum, double bound);
+bool key_exceeds(double sum);  // a draw times sum is always below sum
 
 // ---- expr.c, function.c: expressions, statement blocks, user functions --------------------
 
@@ -262,14 +266,25 @@ unsigned line_cursor_types(const Ir *ir, LLVMTypeRef *types);  // their number, 
 LLVMTypeRef line_result_type(const Ir *ir);
 void line_begin(Rewrite *rewrite, LLVMValueRef function, unsigned first);  // from parameters to variables
 unsigned line_cursors(const Rewrite *rewrite, LLVMValueRef *values);       // what to pass to a call
-void line_resume(Rewrite *rewrite, LLVMValueRef result);             // go on where a call ended
+void line_resume(Rewrite *rewrite, LLVMValueRef result);                   // go on where a call ended
 void line_return(Rewrite *rewrite);
+void line_reserve(Rewrite *rewrite, uint32_t count);  // one check for all that follows in this block
+// A row of symbols alone, copied with so many bytes, of which the modules behind length are overwritten by what
+// follows.
+void line_copy_row(Rewrite *rewrite, LLVMValueRef symbols, uint32_t bytes, LLVMValueRef length, uint32_t longest);
 // One module whose symbol is known at run time only.
 void line_copy(Rewrite *rewrite, LLVMValueRef symbol, LLVMValueRef *args, uint32_t arity, LLVMValueRef key);
 
 // fuse.c: the last steps of a derivation as straight-line code.
 unsigned fuse_levels(Ir *ir, const Production *production);                               // how many; 0: none
 void fuse_write(Rewrite *rewrite, const Derived *modules, size_t count, unsigned steps);  // after so many more steps
+
+// leaf.c: kinds whose last step a draw alone decides.
+bool leaf_kind(const Ir *ir, KindId kind);
+void leaf_write(Rewrite *rewrite, KindId kind, LLVMValueRef key);  // what it becomes by the last step
+// Room that the word's last step takes if all that is not terminal in it is of such kinds; else 0.
+uint32_t leaf_room(const Ir *ir, const Word *word);
+void leaf_write_word(Rewrite *rewrite, const Derived *modules, size_t count, uint32_t room);
 
 // expand.c: the rewriting functions of all reachable kinds.
 void expand_declare(Ir *ir);

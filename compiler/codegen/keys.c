@@ -15,13 +15,36 @@ LLVMValueRef key_split(Ir *ir, LLVMValueRef key, uint64_t child) {
   return mix64(ir, LLVMBuildAdd(ir->builder, key, ir_int(ir, (child + 1) * LSYS_GOLDEN), ""));
 }
 
-LLVMValueRef key_draw(Ir *ir, LLVMValueRef key, LLVMValueRef number) {
+LLVMValueRef key_bits(Ir *ir, LLVMValueRef key, LLVMValueRef number) {
   LLVMValueRef salted = mix64(ir, LLVMBuildAdd(ir->builder, number, ir_int(ir, LSYS_DRAW_SALT), ""));
-  LLVMValueRef bits = mix64(ir, LLVMBuildXor(ir->builder, key, salted, ""));
-  LLVMValueRef high = LLVMBuildLShr(ir->builder, bits, ir_int(ir, 11), "");
+  return mix64(ir, LLVMBuildXor(ir->builder, key, salted, ""));
+}
+
+LLVMValueRef key_draw(Ir *ir, LLVMValueRef key, LLVMValueRef number) {
+  LLVMValueRef high = LLVMBuildLShr(ir->builder, key_bits(ir, key, number), ir_int(ir, 11), "");
   // 53 bits: the signed conversion is exact and cheaper than the unsigned one.
   LLVMValueRef whole = LLVMBuildSIToFP(ir->builder, high, ir->types.f64, "");
   return LLVMBuildFMul(ir->builder, whole, ir_double(ir, 0x1p-53), "draw");
+}
+
+bool key_exceeds(double sum) {
+  return sum > 1e-300 && sum < 1e300;
+}
+
+// A draw is n 2^-53, and its product with the sum, rounded, never falls as n grows: so the n whose products are below
+// the bound are those below the least one whose product is not.
+LLVMValueRef key_below(Ir *ir, LLVMValueRef bits, double sum, double bound) {
+  const uint64_t all = UINT64_C(1) << 53;
+  uint64_t low = 0, high = all;
+  while (low < high) {
+    uint64_t n = low + (high - low) / 2;
+    if ((double)n * 0x1p-53 * sum < bound)
+      low = n + 1;
+    else
+      high = n;
+  }
+  if (low == all) return LLVMConstInt(ir->types.i1, 1, false);
+  return LLVMBuildICmp(ir->builder, LLVMIntULT, bits, ir_int(ir, low << 11), "");
 }
 
 // A helper function, so that the loop stands once in the module.

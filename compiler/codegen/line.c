@@ -245,6 +245,21 @@ void line_add(Rewrite *rewrite, KindId kind, LLVMValueRef *args, LLVMValueRef ke
   if (key && !rewrite->silent) *VEC_PUSH(ir->arena, &line->keys) = key;
 }
 
+void line_reserve(Rewrite *rewrite, uint32_t count) {
+  line_flush(rewrite);
+  reserve(rewrite, count);
+}
+
+void line_copy_row(Rewrite *rewrite, LLVMValueRef symbols, uint32_t bytes, LLVMValueRef length, uint32_t longest) {
+  Ir *ir = rewrite->scope.ir;
+  line_flush(rewrite);
+  reserve(rewrite, bytes);
+  LLVMValueRef cursor = cursor_now(rewrite, STREAM_SYM);
+  LLVMBuildMemCpy(ir->builder, cursor, 1, symbols, 1, ir_int(ir, bytes));
+  LLVMBuildStore(ir->builder, ir_advance(ir, ir->types.symbol, cursor, length), place(rewrite, STREAM_SYM));
+  use_room(rewrite, longest);
+}
+
 void line_copy(Rewrite *rewrite, LLVMValueRef symbol, LLVMValueRef *args, uint32_t arity, LLVMValueRef key) {
   Ir *ir = rewrite->scope.ir;
   reserve(rewrite, 1);

@@ -136,10 +136,31 @@ static void join(Rewrite *rewrite, Lottery *lottery, const Production *productio
   *VEC_PUSH(ir->arena, &lottery->tickets) = (Ticket){production, rewrite->scope.slots, sum};
 }
 
-// Sums in this range are normal numbers, and so is every product with a draw: u * sum < sum.
 static bool surely_exceeds(const Lottery *lottery) {
   double sum;
-  return lottery->certain && ir_is_double(lottery->sum, &sum) && sum > 1e-300 && sum < 1e300;
+  return lottery->certain && ir_is_double(lottery->sum, &sum) && key_exceeds(sum);
+}
+
+// What is drawn, once for all tickets.
+typedef struct Ball {
+  LLVMValueRef bits, value;
+} Ball;
+
+static Ball draw_ball(Rewrite *rewrite, const Lottery *lottery) {
+  Ir *ir = rewrite->scope.ir;
+  Ball ball = {0};
+  if (surely_exceeds(lottery))
+    ball.bits = key_bits(ir, rewrite->scope.key, ir_int(ir, 0));
+  else
+    ball.value = LLVMBuildFMul(ir->builder, key_draw(ir, rewrite->scope.key, ir_int(ir, 0)), lottery->sum, "ball");
+  return ball;
+}
+
+static LLVMValueRef wins(Ir *ir, const Lottery *lottery, const Ticket *ticket, const Ball *ball) {
+  double sum, bound;
+  if (ball->bits && ir_is_double(lottery->sum, &sum) && ir_is_double(ticket->bound, &bound))
+    return key_below(ir, ball->bits, sum, bound);
+  return LLVMBuildFCmp(ir->builder, LLVMRealOLT, ball->value, ticket->bound, "");
 }
 
 // Ends at the place where nothing is drawn, because no weight counted. False if there is no such place.
@@ -153,15 +174,14 @@ static bool draw(Rewrite *rewrite, const Lottery *lottery, Take take) {
     ir_branch(ir, LLVMBuildFCmp(ir->builder, LLVMRealOGT, lottery->sum, ir_double(ir, 0), ""), drawing, stay);
     ir_at(ir, drawing);
   }
-  LLVMValueRef u = key_draw(ir, rewrite->scope.key, ir_int(ir, 0));
-  LLVMValueRef ball = LLVMBuildFMul(ir->builder, u, lottery->sum, "ball");
+  Ball ball = draw_ball(rewrite, lottery);
   for (size_t i = 0; i < lottery->tickets.count; i++) {
     const Ticket *ticket = &lottery->tickets.at[i];
     bool last = i + 1 == lottery->tickets.count;
     LLVMBasicBlockRef next = last ? stay : ir_block(ir, "next");
     if (next) {
       LLVMBasicBlockRef chosen = ir_block(ir, "chosen");
-      ir_branch(ir, LLVMBuildFCmp(ir->builder, LLVMRealOLT, ball, ticket->bound, ""), chosen, next);
+      ir_branch(ir, wins(ir, lottery, ticket, &ball), chosen, next);
       ir_at(ir, chosen);
     }
     take_now(rewrite, ticket->production, ticket->slots, take);
