@@ -58,7 +58,7 @@ static const char *version(void) {
 static bool emit(const Program *program, const Facts *facts, const LsysGrammar *description,
                  const BackendOptions *options, FILE *out, struct Diag *diag) {
   Ir ir = {.program = program, .facts = facts, .description = description, .options = options, .diag = diag};
-  LLVMTargetMachineRef machine = emit_machine(options, false, diag);
+  LLVMTargetMachineRef machine = machine_create(options, false, diag);
   if (!machine) return false;
   LLVMMemoryBufferRef buffer = generate(&ir, options->emit, machine);
   LLVMDisposeTargetMachine(machine);
@@ -73,7 +73,7 @@ static bool emit(const Program *program, const Facts *facts, const LsysGrammar *
 static Jit *jit(const Program *program, const Facts *facts, const LsysGrammar *description,
                 const BackendOptions *options, const LsysSymbol *symbols, size_t symbol_count, struct Diag *diag) {
   Ir ir = {.program = program, .facts = facts, .description = description, .options = options, .diag = diag};
-  LLVMTargetMachineRef machine = emit_machine(options, true, diag);
+  LLVMTargetMachineRef machine = machine_create(options, true, diag);
   if (!machine) return NULL;
   LLVMMemoryBufferRef object = generate(&ir, EMIT_OBJECT, machine);
   if (!object) {

@@ -3,7 +3,6 @@
 
 #include <llvm-c/Analysis.h>
 #include <llvm-c/BitWriter.h>
-#include <llvm-c/Target.h>
 #include <llvm-c/Transforms/PassBuilder.h>
 #include <string.h>
 
@@ -23,40 +22,8 @@ static const struct {
   {"default<O3>", LLVMCodeGenLevelDefault},
 };
 
-static void initialise(bool all_targets) {
-  if (all_targets) {
-    LLVMInitializeAllTargetInfos();
-    LLVMInitializeAllTargets();
-    LLVMInitializeAllTargetMCs();
-    LLVMInitializeAllAsmPrinters();
-  } else {
-    LLVMInitializeNativeTarget();
-    LLVMInitializeNativeAsmPrinter();
-  }
-}
-
-LLVMTargetMachineRef emit_machine(const BackendOptions *options, bool this_machine, struct Diag *diag) {
-  initialise(options->target && !this_machine);
-  bool native = this_machine || (options->cpu && strcmp(options->cpu, "native") == 0);
-  char *triple =
-    options->target && !this_machine ? LLVMNormalizeTargetTriple(options->target) : LLVMGetDefaultTargetTriple();
-  char *cpu = native ? LLVMGetHostCPUName() : LLVMCreateMessage(options->cpu ? options->cpu : "");
-  char *features = native ? LLVMGetHostCPUFeatures() : LLVMCreateMessage("");
-  char *why = NULL;
-  LLVMTargetRef target;
-  LLVMTargetMachineRef machine = NULL;
-  if (LLVMGetTargetFromTriple(triple, &target, &why)) {
-    diag_error(diag, nowhere, "cannot generate code for %s: %s", triple, why);
-    LLVMDisposeMessage(why);
-  } else {
-    LLVMCodeGenOptLevel selection = levels[options->optimise].selection;
-    machine = LLVMCreateTargetMachine(target, triple, cpu, features, selection, LLVMRelocPIC, LLVMCodeModelDefault);
-    if (!machine) diag_error(diag, nowhere, "cannot generate code for %s", triple);
-  }
-  LLVMDisposeMessage(features);
-  LLVMDisposeMessage(cpu);
-  LLVMDisposeMessage(triple);
-  return machine;
+LLVMCodeGenOptLevel emit_selection(unsigned optimise) {
+  return levels[optimise].selection;
 }
 
 static bool verify(Ir *ir) {

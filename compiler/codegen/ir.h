@@ -343,10 +343,11 @@ void debug_arguments(Rewrite *rewrite, const Production *production);  // the fu
 void debug_enter(Rewrite *rewrite, const Production *production);
 void debug_leave(Rewrite *rewrite);
 
-// ---- emit.c, jit.c -----------------------------------------------------------------
+// ---- machine.c, emit.c, jit.c ------------------------------------------------------
 
 // For options->target and cpu, or this very machine. NULL after reporting.
-LLVMTargetMachineRef emit_machine(const BackendOptions *options, bool this_machine, struct Diag *diag);
+LLVMTargetMachineRef machine_create(const BackendOptions *options, bool this_machine, struct Diag *diag);
+LLVMCodeGenOptLevel emit_selection(unsigned optimise);  // how well -O0 to -O3 select instructions
 bool emit_passes(Ir *ir, LLVMTargetMachineRef machine);
 LLVMMemoryBufferRef emit_buffer(Ir *ir, LLVMTargetMachineRef machine, EmitKind kind);  // NULL after reporting
 

@@ -97,7 +97,9 @@ static const LsysOptionInfo *find(const char *argument, const char **attached) {
 
 static void not_found(const char *argument) {
   if (argument[0] != '-' || !argument[1])
-    lsys_error("'%s' is not an option; a file is named with -o", argument);
+    lsys_error("'%s' is not an option; %s", argument,
+               argument[0] && !argument[strspn(argument, "0123456789")] ? "the number of steps is given with -n"
+                                                                        : "a file is named with -o");
   else if (argument[1] == '-')
     unknown(argument);
   else

@@ -18,5 +18,11 @@ try a.lsys b.lsys
 try missing.lsys
 try .
 try help nosuch
+echo 'axiom: A' > a.lsys
+try a.lsys -c -march=nosuch --target=aarch64-linux-gnu
+try run a.lsys 5
+try a.lsys -c -O3 -march=x86-64-v99 --target=x86_64-linux-gnu
+try a.lsys -c --target=wasm32
+try a.lsys -c --target=powerpc64-linux-gnu
 lsysc frobnicate plant.lsys
 lsysc chek plant.lsys
