@@ -38,6 +38,13 @@ bool lsys_layout_add(LsysLayout *layout, uint32_t which, const LsysMeasure *m) {
   return false;
 }
 
+void lsys_layout_tell_empty(const LsysLayout *layout) {
+  for (uint32_t i = 0; i < layout->figures; i++)
+    if (layout->figure[i].drawn) return;
+  lsys_note("nothing was drawn: the word has no F, no polygon and nothing else that the turtle draws "
+            "(--help turtle lists what does)");
+}
+
 // Size of all figures side by side, in the turtle's units.
 typedef struct Extent {
   double width, height, gap;

@@ -29,6 +29,9 @@ void lsys_layout_destroy(LsysLayout *layout);
 // Takes in what one start word's figure measured. False after printing that it has no finite size.
 bool lsys_layout_add(LsysLayout *layout, uint32_t which, const LsysMeasure *measure);
 
+// Tells the user if no figure was drawn at all: an empty picture is hardly what was meant.
+void lsys_layout_tell_empty(const LsysLayout *layout);
+
 // What the options say of a page; the rest of it stays.
 void lsys_layout_page(const LsysPictureOptions *options, LsysPage *page);
 

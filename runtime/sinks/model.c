@@ -114,6 +114,7 @@ static bool end(LsysSink *sink) {
 
 static bool finish(LsysSink *sink) {
   ModelSink *m = (ModelSink *)sink;
+  if (!m->options.film) lsys_layout_tell_empty(&m->layout);
   return (m->open || open_model(m)) && m->model->close(m->model);
 }
 

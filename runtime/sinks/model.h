@@ -10,6 +10,7 @@
 typedef struct LsysModelOptions {
   double line_width;  // pixels of a width of 1 on a page of 1000 for the figure; nan: as pictures choose it
   uint32_t sides;     // of a tube; 0: chosen by the number of segments; 1: lines
+  bool film;          // one of several
   LsysColours colours;
 } LsysModelOptions;
 

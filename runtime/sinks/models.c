@@ -10,7 +10,8 @@
 bool lsys_model_options(const LsysOptions *given, LsysModelOptions *options) {
   const LsysOptionValue *width = &given->at[LSYS_OPTION_LINE_WIDTH], *sides = &given->at[LSYS_OPTION_SIDES];
   *options = (LsysModelOptions){.line_width = width->given ? width->real : NAN,
-                                .sides = sides->given ? (uint32_t)sides->whole : 0};
+                                .sides = sides->given ? (uint32_t)sides->whole : 0,
+                                .film = given->at[LSYS_OPTION_FRAMES].given};
   if (width->given && !(width->real > 0 && isfinite(width->real))) {
     lsys_error("--line-width %s: it is the width in pixels of a line of width 1, more than 0", width->text);
     return false;

@@ -321,6 +321,7 @@ static bool end(LsysSink *sink) {
 static bool finish(LsysSink *sink) {
   Picture *p = (Picture *)sink;
   if (!p->open && !open_page(p)) return false;
+  if (!p->options.film) lsys_layout_tell_empty(&p->layout);
   return p->canvas->close(p->canvas);
 }
 
