@@ -29,6 +29,9 @@ static const Row rows[] = {
   {"png of plant", "plant", "14", "plant.png", "--size=4096x4096", 28679199, 9533170},
   {"ply of plant", "plant", "14", "plant.ply", NULL, 28679199, 9533170},
   {"glb of plant", "plant", "14", "plant.glb", NULL, 28679199, 9533170},
+  {"pdf of plant", "plant", "12", "plant.pdf", NULL, 3180451, 1054690},
+  {"obj of plant", "plant", "12", "plant.obj", NULL, 3180451, 1054690},
+  {"json of plant", "plant", "12", "plant.json", NULL, 3180451, 1054690},
   {"png of tree", "row-of-trees", "21", "tree.png", "--size=4096x4096", 16777209, 2097151},
   {"hash of flowers", "flowers", "11", NULL, "--hash --homomorphism", 12134564, 3897233},
 };

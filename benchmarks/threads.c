@@ -1,7 +1,7 @@
 // threads.c -- the same run on one thread and on two, beside plain arithmetic
 // on as many: what the machine itself gives for a second thread. Runs are whole
 // programs: hashes and counts, which leave little to be done in order, and
-// words as text and as bytes, written to nowhere.
+// words as text and as bytes and pictures, written to nowhere.
 #include "bench.h"
 #include "compile.h"
 #include "measure.h"
@@ -27,6 +27,10 @@ static const Row rows[] = {
   {"hash of heterocysts", "heterocysts", "-n 900 --hash"},
   {"hash of hogeweg", "hogeweg", "-n 66 --hash"},
   {"hash of signal", "signal", "-n 17 --hash"},
+  {"svg of plant", "plant", "-n 14 -o /dev/null --format svg"},
+  {"json of plant", "plant", "-n 13 -o /dev/null --format json"},
+  {"obj of plant", "plant", "-n 13 -o /dev/null --format obj"},
+  {"pdf of plant", "plant", "-n 13 -o /dev/null --format pdf"},
 };
 
 static void *arithmetic(void *data) {
