@@ -19,7 +19,7 @@ FILE
 for how in interp run; do
   lsysc $how -w files.lsys && cat out.txt && rm out.txt
 done
-lsysc -w files.lsys -o files && ./files -o picture.svg && cat out.txt && ls
+lsysc -w files.lsys -o files && ./files --quiet -o picture.svg && cat out.txt && ls
 lsysc fmt files.lsys | sed -n 4,5p
 cat > files.l <<'FILE'
 Lsystem: 1
