@@ -369,10 +369,13 @@ static void report_unknown(const Parser *parser, const Systems *systems, const c
   }
   diag_error(parser->diag, (Span){0}, "`%s` has no system `%s`", parser->file->path, wanted);
   const char *near = diag_nearest(lower_case(parser->arena, wanted, strlen(wanted)), names.at, names.count);
-  if (near)
-    diag_hint(parser->diag, "did you mean `%s`?", near);
-  else
-    diag_hint(parser->diag, "--list-systems shows those that it has");
+  if (!near) diag_hint(parser->diag, "--list-systems shows those that it has");
+  for (size_t i = 0; near && i < systems->count; i++) {
+    Span name = systems->at[i].name;  // as the file writes it
+    if (names.at[i] != near) continue;
+    diag_hint(parser->diag, "did you mean `%.*s`?", (int)(name.end - name.begin), text_at(parser, name.begin));
+    return;
+  }
 }
 
 // A } that was forgotten makes Fractint skip the entry without a word.

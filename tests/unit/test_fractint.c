@@ -211,7 +211,7 @@ static void the_first_is_the_default(void **state) {
 static void unknown_systems_get_a_hint(void **state) {
   (void)state;
   says(several, "Frist", 1, "error: `test.l` has no system `Frist`");
-  says(several, "Frist", 1, "did you mean `first`?");
+  says(several, "Frist", 1, "did you mean `First`?");
   says(several, "Broken", 1, "`{` of `Broken` is not closed");
 }
 

@@ -30,3 +30,6 @@ printf 'axiom: F(1e308)F(1e308)' > far.lsys
 lsysc run far.lsys -o far.svg
 printf 'axiom: F]F(0/0){f' > odd.lsys
 lsysc run odd.lsys -o odd.svg && ls odd.svg
+
+./plant -n 0 --palette red --count --camera 1,2
+./plant -n 0 --palette red --count --camera 1,2 --quiet
