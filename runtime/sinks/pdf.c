@@ -2,16 +2,15 @@
 // compressed while it is drawn, piece by piece, on any thread; its length is an
 // object behind it, so that nothing has to be kept. The same picture gives the
 // same bytes: no date, no name. A pixel is 1/96 inch, as in SVG.
-// Source: RFC 1950 (zlib), RFC 1951 (deflate); ISO 32000-1, sections 7.5 (file structure), 8.4 and 8.5 (graphics
+// Source: ISO 32000-1, sections 7.5 (file structure), 8.4 and 8.5 (graphics
 // state, paths), 14.11.2 (page boundaries).
-#define ZLIB_CONST  // what is compressed stays as it is
 #include "core/message.h"
+#include "sinks/pack.h"
 #include "sinks/vector.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <zlib.h>
 
 enum {
   CATALOG = 1,
@@ -20,22 +19,15 @@ enum {
   CONTENT,
   LENGTH,
   OBJECTS,
-  LEVEL = 5,        // of packing: half the time of the usual 6, 2 % more bytes
-  FLUSH_ROOM = 64,  // for the end of a piece
 };
 
 static const double POINT = 0.75;                         // of a pixel: 72/96
 static const double LONGEST_SIDE = 14400;                 // in units of the page; a longer one has bigger units
 static const uint64_t MOST_BYTES = UINT64_C(9999999999);  // a place in the file has ten digits
 
-// In front of a packed piece of text.
-typedef struct Piece {
-  uint32_t sum, size;  // of the text
-} Piece;
-
 typedef struct Pdf {
   LsysVector vector;
-  uLong sum;       // of the content's text up to now
+  uint32_t sum;    // of the content's text up to now
   uint64_t begin;  // of the file in the output
   uint64_t place[OBJECTS];
 } Pdf;
@@ -77,8 +69,8 @@ static bool open_page(LsysVector *vector, const LsysPage *page) {
   begin_object(p, CONTENT);
   lsys_out_print(vector->out, "<</Length %d 0 R/Filter/FlateDecode>>\nstream\n", LENGTH);
   p->place[LENGTH] = here(p);
-  p->sum = adler32(0, NULL, 0);
-  lsys_out_write(vector->out, "\x78\x9c", 2);  // the head of a stream with a window of 32 KiB
+  p->sum = lsys_pack_begin();
+  lsys_out_write(vector->out, LSYS_PACK_HEAD, LSYS_PACK_HEAD_SIZE);
   // From here on places are pixels, y down; lines end and bend round.
   lsys_vector_print(vector, "%.9g 0 0 %.9g 0 %.9g cm\n1 J 1 j\n", POINT / unit, -POINT / unit,
                     page->height * POINT / unit);
@@ -114,45 +106,23 @@ static char *put_step(const LsysVector *vector, char *to, int64_t x, int64_t y) 
   return put_point(vector, to, x, y, 'l');
 }
 
-// A piece of the content, deflated without looking at others. It ends at a byte, so that the next one can follow.
 static bool pack(const void *text, size_t size, LsysPrepared *to) {
-  z_stream packer = {0};
-  if (size > INT32_MAX) {  // a polygon of 10^8 corners
-    lsys_error("the picture has a polygon that does not fit a PDF; write an .svg");
-    return false;
-  }
-  if (deflateInit2(&packer, LEVEL, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY) != Z_OK) {
-    lsys_error("out of memory");
-    return false;
-  }
-  size_t most = deflateBound(&packer, (uLong)size) + FLUSH_ROOM;
-  char *at = lsys_prepared_room(to, sizeof(Piece) + most);
-  if (at) {
-    Piece piece = {(uint32_t)adler32(adler32(0, NULL, 0), text, (uInt)size), (uint32_t)size};
-    memcpy(at, &piece, sizeof piece);
-    packer.next_in = text;
-    packer.avail_in = (uInt)size;
-    packer.next_out = (Bytef *)at + sizeof piece;
-    packer.avail_out = (uInt)most;
-    deflate(&packer, Z_SYNC_FLUSH);
-    to->used += sizeof piece + packer.total_out;
-  }
-  deflateEnd(&packer);
-  return at;
+  if (size <= INT32_MAX) return lsys_pack(text, size, false, to);
+  lsys_error("the picture has a polygon that does not fit a PDF; write an .svg");  // of 10^8 corners
+  return false;
 }
 
 static bool write_piece(LsysVector *vector, const void *bytes, size_t size) {
   Pdf *p = (Pdf *)vector;
-  Piece piece;
+  LsysPiece piece;
   memcpy(&piece, bytes, sizeof piece);
-  p->sum = adler32_combine(p->sum, piece.sum, (z_off_t)piece.size);
+  p->sum = lsys_pack_add(p->sum, &piece);
   return lsys_out_write(vector->out, (const char *)bytes + sizeof piece, size - sizeof piece);
 }
 
-// An empty last piece, and the sum over the whole text.
 static bool end_stream(const Pdf *p) {
-  const uint8_t end[] = {
-    3, 0, (uint8_t)(p->sum >> 24), (uint8_t)(p->sum >> 16), (uint8_t)(p->sum >> 8), (uint8_t)p->sum};
+  uint8_t end[LSYS_PACK_END_SIZE];
+  lsys_pack_end(p->sum, end);
   return lsys_out_write(p->vector.out, end, sizeof end);
 }
 

@@ -1,7 +1,11 @@
-// png.c -- a canvas of pixels that becomes a PNG file when it is closed.
+// png.c -- a canvas of pixels that becomes a PNG file when it is closed: bands of
+// rows are filtered and packed on all threads.
+// Source: PNG specification (ISO/IEC 15948), sections 9 (filters), 11 (chunks).
 #include "core/memory.h"
 #include "core/message.h"
 #include "core/out.h"
+#include "sinks/pack.h"
+#include "sinks/press.h"
 #include "sinks/raster.h"
 
 #include <png.h>
@@ -13,7 +17,16 @@ typedef struct Png {
   LsysOut *out;
   LsysPage page;
   LsysRaster *raster;
+  png_structp png;  // while the file is written
+  uint32_t sum;     // of what was packed
 } Png;
+
+enum { BAND_BYTES = 1 << 18 };  // of pixels that are packed at once
+
+// Rows from .. end-1.
+typedef struct Band {
+  uint32_t from, end;
+} Band;
 
 static bool reserve(LsysCanvas *canvas, const LsysPage *page) {
   Png *p = (Png *)canvas;
@@ -64,36 +77,102 @@ static void drop_alpha(uint8_t *row, uint32_t width) {
   for (uint32_t x = 0; x < width; x++) memmove(row + 3 * (size_t)x, row + 4 * (size_t)x, 3);
 }
 
-static void write_rows(png_structp png, const Png *p, uint8_t *row) {
-  for (uint32_t y = 0; y < p->page.height; y++) {
-    p->raster->row(p->raster, y, row);
-    if (!p->page.transparent) drop_alpha(row, p->page.width);
-    png_write_row(png, row);
+// What the filter leaves of a row: itself, or what differs from the one above; whichever has the smaller numbers.
+static void put_filtered(uint8_t *to, const uint8_t *row, const uint8_t *above, size_t size) {
+  uint64_t plain = 0, difference = 0;
+  for (size_t i = 0; i < size; i++) {
+    plain += (uint64_t)abs((int8_t)row[i]);
+    difference += (uint64_t)abs((int8_t)(row[i] - above[i]));
   }
+  bool up = difference < plain;
+  *to++ = up ? PNG_FILTER_VALUE_UP : PNG_FILTER_VALUE_NONE;
+  for (size_t i = 0; i < size; i++) to[i] = (uint8_t)(row[i] - (up ? above[i] : 0));
 }
 
-static bool write_file(png_structp png, png_infop info, const Png *p, uint8_t *row) {
+static size_t row_size(const Png *p) {
+  return (size_t)p->page.width * (p->page.transparent ? 4 : 3);
+}
+
+static void read_row(const Png *p, uint32_t y, uint8_t *row) {
+  p->raster->row(p->raster, y, row);
+  if (!p->page.transparent) drop_alpha(row, p->page.width);
+}
+
+// Filters and packs a band of rows, on any thread. The scratch holds two rows of the raster and the filtered ones.
+static bool put_band(const void *data, const void *block, size_t size, LsysPrepared *to) {
+  (void)size;
+  const Png *p = data;
+  const Band *band = block;
+  size_t filtered = row_size(p) + 1, room = (size_t)p->page.width * 4, rows = band->end - band->from;
+  if (!lsys_memory_fit(to->memory, &to->scratch, &to->scratch_bytes, 2 * room + rows * filtered, 1)) return false;
+  uint8_t *above = to->scratch, *row = above + room, *text = row + room, *at = text;
+  if (band->from)
+    read_row(p, band->from - 1, above);
+  else
+    memset(above, 0, room);
+  for (uint32_t y = band->from; y < band->end; y++, at += filtered) {
+    read_row(p, y, row);
+    put_filtered(at, row, above, row_size(p));
+    uint8_t *last = above;
+    above = row;
+    row = last;
+  }
+  return lsys_pack(text, (size_t)(at - text), true, to);
+}
+
+static bool write_chunk(png_structp png, const char *name, const void *bytes, size_t size) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  png_write_chunk(png, (png_const_bytep)name, bytes, size);
+  return true;
+}
+
+static bool write_band(void *data, const LsysPrepared *packed) {
+  Png *p = data;
+  LsysPiece piece;
+  memcpy(&piece, packed->data, sizeof piece);
+  p->sum = lsys_pack_add(p->sum, &piece);
+  return write_chunk(p->png, "IDAT", packed->data + sizeof piece, packed->used - sizeof piece);
+}
+
+static bool write_head(png_structp png, png_infop info, const Png *p) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_write_fn(png, p->out, write_bytes, flush_bytes);
   png_set_IHDR(png, info, p->page.width, p->page.height, 8,
                p->page.transparent ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE | PNG_FILTER_UP);
   png_write_info(png, info);
-  write_rows(png, p, row);
-  png_write_end(png, info);
   return true;
+}
+
+static bool write_bands(const Png *p, LsysPress *press) {
+  uint32_t rows = BAND_BYTES / (p->page.width * 4) + 1;
+  for (uint32_t y = 0; y < p->page.height; y += rows) {
+    Band *band = lsys_press_add(press, sizeof *band);
+    if (!band) return false;
+    *band = (Band){y, rows < p->page.height - y ? y + rows : p->page.height};
+    if (!lsys_press_send(press)) return false;
+  }
+  return lsys_press_finish(press);
+}
+
+static bool write_file(Png *p, png_infop info) {
+  p->sum = lsys_pack_begin();
+  if (!write_head(p->png, info, p) || !write_chunk(p->png, "IDAT", LSYS_PACK_HEAD, LSYS_PACK_HEAD_SIZE)) return false;
+  LsysPress *press = lsys_press_open(p->page.memory, p->page.threads, put_band, write_band, p);
+  bool well = press && write_bands(p, press);
+  lsys_press_close(press);
+  uint8_t end[LSYS_PACK_END_SIZE];
+  lsys_pack_end(p->sum, end);
+  return well && write_chunk(p->png, "IDAT", end, sizeof end) && write_chunk(p->png, "IEND", NULL, 0);
 }
 
 static bool close_page(LsysCanvas *canvas) {
   Png *p = (Png *)canvas;
-  uint8_t *row = lsys_memory_alloc(p->page.memory, p->page.width, 4);
-  png_structp png = row ? png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, refuse, keep_quiet) : NULL;
-  png_infop info = png ? png_create_info_struct(png) : NULL;
-  bool ok = info && write_file(png, info, p, row);
-  if (row && !info) lsys_error("out of memory");
-  png_destroy_write_struct(&png, &info);
-  lsys_memory_free(p->page.memory, row, p->page.width, 4);
+  p->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, refuse, keep_quiet);
+  png_infop info = p->png ? png_create_info_struct(p->png) : NULL;
+  bool ok = info && write_file(p, info);
+  if (!info) lsys_error("out of memory");
+  png_destroy_write_struct(&p->png, &info);
   return ok;
 }
 
