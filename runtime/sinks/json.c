@@ -1,10 +1,13 @@
 // json.c -- segments and polygons as numbers, for programs of the user's own:
 //   {"figures": [{"axiom": 1, "segments": [[x,y,z, x,y,z, width, colour, depth], ...],
 //     "polygons": [[colour, [x,y,z], ...], ...]}, ...]}
-// Segments come as they are drawn; polygons wait until the figure ends.
+// Segments come as they are drawn; polygons wait until the figure ends. By age, the last number of a segment is
+// the step in which its module was born, and colours go from 0 to 255 with it.
 #include "core/formats.h"
 #include "core/message.h"
+#include "core/options.h"
 #include "lsys/number.h"
+#include "sinks/colours.h"
 #include "sinks/press.h"
 #include "sinks/spool.h"
 #include "turtle/turtle.h"
@@ -27,6 +30,8 @@ typedef struct JsonSink {
   LsysGeometry geometry;
   LsysOut *out;
   LsysTurtle *turtle;
+  LsysColours colours;
+  LsysRecolour recolour;
   LsysPress *press;  // of segments
   LsysSpool polygons;
   uint64_t segments;  // of the figure
@@ -119,10 +124,11 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   (void)pass;
   JsonSink *j = (JsonSink *)sink;
   if (!j->turtle) j->turtle = lsys_turtle_create(run);
-  if (j->turtle) lsys_turtle_by_depth(j->turtle);
   if (!j->press) j->press = lsys_press_open(run->memory, run->threads, put_segments, write_segments, j);
   if (!j->turtle || !j->press || !lsys_spool_open(&j->polygons)) return false;
-  lsys_turtle_begin(j->turtle, axiom, &j->geometry);
+  if (j->colours.by != LSYS_BY_AGE) lsys_turtle_by_depth(j->turtle);
+  lsys_turtle_begin(j->turtle, axiom,
+                    lsys_recolour_begin(&j->recolour, &j->colours, 0, run->steps, j->turtle, &j->geometry));
   j->segments = 0;
   j->later_polygon = false;
   lsys_out_print(j->out, "%s{\"axiom\": %u, \"segments\": [", j->later_figure ? ",\n" : "{\"figures\": [\n", axiom + 1);
@@ -155,7 +161,20 @@ static void destroy(LsysSink *sink) {
   free(j);
 }
 
+// There are no colours to give before all segments are counted, and a file of numbers has no use for a palette.
+static bool read_colours(const LsysOptions *options, LsysColours *colours) {
+  if (!lsys_colours_read(options, colours)) return false;
+  if (colours->by == LSYS_BY_PROGRESS)
+    lsys_error("--colour-by progress: json tells segments in the order in which they are drawn, and has pen, order, "
+               "kind and age");
+  else if (colours->list)
+    lsys_error("--palette: json has the indices of colours, not the colours");
+  return colours->by != LSYS_BY_PROGRESS && !colours->list;
+}
+
 LsysSink *lsys_sink_json(const LsysSinkContext *context) {
+  LsysColours colours;
+  if (!read_colours(context->options, &colours)) return NULL;
   JsonSink *j = calloc(1, sizeof *j);
   if (!j) {
     lsys_error("out of memory");
@@ -164,5 +183,6 @@ LsysSink *lsys_sink_json(const LsysSinkContext *context) {
   j->sink = (LsysSink){.passes = 1, .begin = begin, .take = take, .end = end, .finish = finish, .destroy = destroy};
   j->geometry = (LsysGeometry){.strokes = strokes, .polygon = polygon};
   j->out = context->out;
+  j->colours = colours;
   return &j->sink;
 }

@@ -22,3 +22,7 @@ lsysc interp context.lsys -n 2 --colour-by age --format svg | colours
 printf 'axiom: AB\nA --> AB\ninterpretation\nA > B --> F\n' > looks.lsys
 lsysc interp looks.lsys -n 2 --colour-by age --format svg
 ./age -n 3 --colour-by age --shared -o shared.svg
+# JSON has the index of each segment's colour, and by age the step of birth as the last number.
+for by in pen order kind age; do ./age -n 3 --colour-by $by --format json | grep '^\[' | cut -d, -f8- | tr '\n' ' ' && echo; done
+./age -n 3 --colour-by progress --format json
+./age -n 3 --palette red --format json
