@@ -52,6 +52,7 @@ static void add_points(LsysMeasure *m, const LsysVec3 *point, size_t count) {
 static bool strokes(LsysGeometry *to, const LsysStrokes *batch) {
   LsysMeasure *m = (LsysMeasure *)to;
   add_points(m, batch->point, batch->points);
+  double length = m->length;  // in a register: sums wait for each other
   for (size_t i = 0; i < batch->count; i++) {
     const LsysStroke *s = &batch->stroke[i];
     const LsysVec3 *point = batch->point + s->first;
@@ -59,9 +60,10 @@ static bool strokes(LsysGeometry *to, const LsysStrokes *batch) {
     m->of_colour[s->pen.colour] += s->count - 1;
     if (s->pen.width < m->thinnest) m->thinnest = s->pen.width;
     if (s->pen.width > m->thickest) m->thickest = s->pen.width;
-    for (uint32_t k = 1; k < s->count && m->wants_length; k++)
-      m->length += vec_length(vec_sum(point[k], 1, point[k - 1], -1));
+    if (!m->wants_length) continue;
+    for (uint32_t k = 1; k < s->count; k++) length += vec_length(vec_sum(point[k], 1, point[k - 1], -1));
   }
+  m->length = length;
   return true;
 }
 

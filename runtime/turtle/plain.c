@@ -131,10 +131,33 @@ static inline bool act_by_arg(const LsysTurtle *t, Cursor *c, const PlainKind *k
   }
 }
 
-size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, const double **arg, size_t count, bool *ok) {
+// The modules from i on as long as they are turns, draws, or nothing. A loop of its own, as what it needs fits into the
+// registers. Returns where they end.
+static inline size_t go_along(const LsysTurtle *t, Cursor *c, const uint8_t *sym, size_t i, size_t count) {
   const PlainKind *kinds = t->plain_kind;
   const Pair *directions = t->directions.at;
   const uint32_t circle = t->directions.count;
+  Pair at = c->at;
+  uint32_t heading = c->heading;
+  char *out = (char *)c->out;
+  for (; i < count; i++) {
+    const PlainKind *k = &kinds[sym[i]];
+    if (k->act != PLAIN_GO) break;
+    uint32_t turned = heading + k->turn;
+    heading = turned >= circle ? turned - circle : turned;
+    at += directions[heading] * k->move;
+    memcpy(out, &at, sizeof at);
+    out += k->advance;
+  }
+  c->at = at;
+  c->heading = heading;
+  c->out = (LsysVec3 *)out;
+  return i;
+}
+
+size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, const double **arg, size_t count, bool *ok) {
+  const PlainKind *kinds = t->plain_kind;
+  const Pair *directions = t->directions.at;
   const bool small = t->state_size == STATE_SMALL && !t->by_depth;
   // A module adds at most two points: the end of its move, and the start of a new stroke. So the batch is found full
   // behind the first module that fills it, wherever the word's parts end: what is drawn does not depend on them.
@@ -143,15 +166,9 @@ size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, const double **arg, 
   Cursor c = load(t);
   LsysPen pen = turtle_pen(t);
   size_t i = 0;
-  for (; i < count; i++) {
+  for (; (i = go_along(t, &c, sym, i, count)) < count; i++) {
     const PlainKind *k = &kinds[sym[i]];
-    if (k->act == PLAIN_GO) {
-      uint32_t heading = c.heading + k->turn;
-      c.heading = heading >= circle ? heading - circle : heading;
-      c.at += directions[c.heading] * k->move;
-      put_place(c.out, c.at);
-      c.out += k->draws;
-    } else if (k->act == PLAIN_JUMP) {
+    if (k->act == PLAIN_JUMP) {
       c.at += directions[c.heading] * k->move;
       jump(t, &c, &pen);
     } else if (k->skip) {

@@ -90,11 +90,11 @@ typedef enum PlainAct {
 } PlainAct;
 
 typedef struct PlainKind {
-  double move;    // in lattice units; -1: PLAIN_TURN_ARG to the right
-  uint32_t turn;  // indices of the table of directions
-  uint8_t draws;  // 1 if the move is drawn
-  uint8_t act;    // PlainAct
-  uint16_t skip;  // number of arguments
+  double move;      // in lattice units; -1: PLAIN_TURN_ARG to the right
+  uint32_t turn;    // indices of the table of directions
+  uint8_t advance;  // bytes of the point that is kept: 0 where nothing is drawn
+  uint8_t act;      // PlainAct
+  uint16_t skip;    // number of arguments
 } PlainKind;
 
 typedef struct KindInfo {

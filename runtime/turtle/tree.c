@@ -111,7 +111,8 @@ static uint32_t gravelius(const LsysTree *t) {
 }
 
 static bool open_axis(LsysTree *t) {
-  if (!lsys_memory_fit(t->memory, &t->axis, &t->axis_room, t->axes + 1, sizeof *t->axis)) return false;
+  if (t->axes == t->axis_room && !lsys_memory_fit(t->memory, &t->axis, &t->axis_room, t->axes + 1, sizeof *t->axis))
+    return false;
   t->axis[t->axes++] = (Axis){.first = t->nodes};
   return true;
 }

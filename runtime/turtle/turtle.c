@@ -173,7 +173,7 @@ static void set_kind(LsysTurtle *t, uint32_t i, const LsysKind *kind) {
     break;
   case LSYS_TURTLE_DRAW:
   case LSYS_TURTLE_DRAW_NO_VERTEX:
-    *p = (PlainKind){t->step, 0, 1, PLAIN_GO, 0};
+    *p = (PlainKind){t->step, 0, sizeof(LsysVec3), PLAIN_GO, 0};
     break;
   case LSYS_TURTLE_MOVE:
   case LSYS_TURTLE_MOVE_NO_VERTEX:
