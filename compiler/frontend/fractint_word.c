@@ -181,5 +181,8 @@ AstWord fractint_word(FractintWords *words, const FractintString *string) {
   if (open.count)
     diag_error(words->build.diag, open.at[open.count - 1],
                "`[` is never closed in this string; brackets must pair within one rule");
+  for (; open.count; open.count--)  // one message is enough
+    *VEC_PUSH(words->build.arena, &word.modules) = (AstModule){
+      .symbol = fractint_symbol(words, ']'), .span = open.at[open.count - 1], .symbol_span = open.at[open.count - 1]};
   return word;
 }
