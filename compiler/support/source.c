@@ -45,12 +45,17 @@ const SourceFile *sources_add_made(Sources *sources, const char *text, size_t le
   return file;
 }
 
-// All bytes of a stream and a NUL; NULL with *why set when reading fails.
+// All bytes of a stream and a NUL; NULL with *why set when reading fails, or it is a compiled grammar, a picture, a
+// device that never ends.
 static char *slurp(Arena *arena, FILE *in, size_t *length, const char **why) {
   VEC(char) bytes = {0};
   char buffer[1 << 16];
   size_t got;
   while ((got = fread(buffer, 1, sizeof buffer, in)) > 0) {
+    if (!bytes.count && memchr(buffer, '\0', got < 64 ? got : 64)) {  // a page of messages helps nobody
+      *why = "this is no text; a grammar's name usually ends in .lsys";
+      return NULL;
+    }
     if (bytes.count + got >= MOST_BYTES) {
       *why = "is larger than 2 GiB";
       return NULL;
@@ -83,11 +88,6 @@ const SourceFile *sources_read(Sources *sources, const char *path, Span included
   char *text = slurp(sources->arena, in, &length, why);
   if (!standard) fclose(in);
   if (!text) return NULL;
-  if (memchr(text, '\0',
-             length < 64 ? length : 64)) {  // a compiled grammar, a picture: a page of messages helps nobody
-    *why = "this is no text; a grammar's name usually ends in .lsys";
-    return NULL;
-  }
   path = arena_copy(sources->arena, standard ? "<stdin>" : path, standard ? 7 : strlen(path));
   const SourceFile *file = sources_add(sources, path, text, length, included_from);
   if (!file) *why = "is too large together with the other files";

@@ -51,3 +51,4 @@ lsysc run full.lsys -n 1 -o full.svg || echo "ends with $?"
 test -e full.svg || echo 'and without a picture'
 printf 'Start: { fclose(3); }\naxiom: A\nA --> A\n' | lsysc interp - -n 1
 printf 'StartEach: { f = fopen("/dev/null", "r"); }\naxiom: A\nA --> A\n' | lsysc run - -n 50
+lsysc check /dev/zero
