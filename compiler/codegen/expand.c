@@ -211,10 +211,17 @@ static LLVMBasicBlockRef deep_block(Rewrite *rewrite) {
   return rewrite->deep;
 }
 
+// Where the stack stands. Its pointer costs nothing, where the frame's address makes functions keep one; but it is not
+// known to the quick selection of instructions below -O2.
+static LLVMValueRef stack_now(Ir *ir) {
+  LLVMValueRef zero = LLVMConstInt(ir->types.i32, 0, false);
+  if (ir->options->optimise >= 2) return ir_call(ir, ir_intrinsic(ir, "llvm.stacksave", ir->types.ptr), NULL, 0);
+  return ir_call(ir, ir_intrinsic(ir, "llvm.frameaddress", ir->types.ptr), &zero, 1);
+}
+
 static void check_stack(Rewrite *rewrite) {
   Ir *ir = rewrite->scope.ir;
-  LLVMValueRef zero = LLVMConstInt(ir->types.i32, 0, false);
-  LLVMValueRef frame = ir_call(ir, ir_intrinsic(ir, "llvm.frameaddress", ir->types.ptr), &zero, 1);
+  LLVMValueRef frame = stack_now(ir);
   LLVMValueRef at = LLVMBuildPtrToInt(ir->builder, frame, ir->types.i64, "");
   LLVMValueRef limit = ir_load(ir, ir->types.i64, rewrite->out, ir->types.stream, STREAM_STACK_LIMIT);
   LLVMBasicBlockRef deep = deep_block(rewrite), go = ir_block(ir, "go");
