@@ -76,6 +76,8 @@ static void describe_looks(Arena *arena, const Program *program, LsysGrammar *gr
   }
   grammar->surfaces = surfaces;
   grammar->surface_count = (uint32_t)program->surface_count;
+  grammar->contours = program->contours;
+  grammar->contour_count = (uint32_t)program->contour_count;
   grammar->colours = program->colours;
   grammar->colour_count = (uint32_t)program->colour_count;
   grammar->page = program->page;

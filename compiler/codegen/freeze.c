@@ -122,6 +122,21 @@ static LLVMValueRef surfaces(Ir *ir) {
                           : LLVMConstNull(ir->types.ptr);
 }
 
+static LLVMValueRef contours(Ir *ir) {
+  const LsysGrammar *g = ir->description;
+  LLVMTypeRef i32 = ir->types.i32;
+  LLVMValueRef *rows = arena_array(ir->arena, g->contour_count, sizeof *rows);
+  for (uint32_t i = 0; i < g->contour_count; i++) {
+    const LsysContour *c = &g->contours[i];
+    LLVMValueRef fields[] = {
+      int_of(i32, c->number), int_of(i32, c->pieces), int_of(i32, c->closed), int_of(i32, c->reserved),
+      bytes(ir, (const uint8_t *)c->point, (c->pieces + (size_t)1) * 2 * sizeof(double), "point")};
+    rows[i] = LLVMConstStructInContext(ir->context, fields, 5, false);
+  }
+  return g->contour_count ? structs(ir, LLVMTypeOf(rows[0]), rows, g->contour_count, "contours")
+                          : LLVMConstNull(ir->types.ptr);
+}
+
 static LLVMValueRef views(Ir *ir) {
   const LsysGrammar *g = ir->description;
   LLVMValueRef *rows = arena_array(ir->arena, g->view_count, sizeof *rows);
@@ -205,6 +220,8 @@ void freeze_grammar(Ir *ir, const Entries *entries) {
     FIELD(environment_path, g->environment_path ? text(ir, g->environment_path) : null),
     FIELD(environment_value,
           bytes(ir, (const uint8_t *)g->environment_value, LSYS_ENVIRONMENT_VALUES * sizeof(double), "environment")),
+    FIELD(contour_count, int_of(i32, g->contour_count)),
+    FIELD(contours, contours(ir)),
   };
   enum { COUNT = sizeof fields / sizeof fields[0] };
   LLVMValueRef values[COUNT];

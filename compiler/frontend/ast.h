@@ -132,6 +132,7 @@ typedef enum AstStatementKind {
   AST_ENVIRONMENT,  // value = AST_CALL, AST_NAME or AST_STRING
   AST_FUNCTION,     // function NAME: file; functions: file (name NULL): all of the file; value = AST_STRING
   AST_CURVE,        // curve NAME: file
+  AST_CONTOUR,      // contour N: file; the number is the name
   AST_PAGE,         // size, background, camera, projection: setting (LsysPageSetting), name = what it says
 } AstStatementKind;
 

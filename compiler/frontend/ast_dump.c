@@ -121,10 +121,10 @@ static void dump_array(const AstArray *array, FILE *out) {
 
 static void dump_statement(const AstStatement *s, FILE *out) {
   static const char *const kinds[] = {
-    "axiom",      "production",    "define",  "undef",       "param",         "modules",      "setting",
-    "ignore",     "consider",      "block",   "arrays",      "decomposition", "homomorphism", "productions",
-    "warnings",   "maximum-depth", "seed",    "table",       "tables",        "ring",         "lsystem",
-    "endlsystem", "surface",       "colours", "environment", "function",      "curve",        "page"};
+    "axiom",       "production", "define", "undef",         "param",        "modules",     "setting",  "ignore",
+    "consider",    "block",      "arrays", "decomposition", "homomorphism", "productions", "warnings", "maximum-depth",
+    "seed",        "table",      "tables", "ring",          "lsystem",      "endlsystem",  "surface",  "colours",
+    "environment", "function",   "curve",  "contour",       "page"};
   fputs(kinds[s->kind], out);
   if (s->kind == AST_PAGE) fprintf(out, " %s", lsys_page_settings[s->setting].keyword);
   if (s->kind == AST_SETTING)

@@ -46,6 +46,8 @@ static void fill(Check *check) {
   program->axiom_count = check->axioms.count;
   program->surfaces = check->surfaces.at;
   program->surface_count = check->surfaces.count;
+  program->contours = check->contours.at;
+  program->contour_count = check->contours.count;
   program->colours = check->colours.at;
   program->colour_count = check->colours.count;
   for (int i = 0; i < LSYS_PAGE_COUNT; i++) program->page[i] = check->page[i] ? check->page[i]->name : NULL;

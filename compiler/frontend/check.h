@@ -181,9 +181,10 @@ typedef struct Check {
 
   VEC(Word) axioms;
   VEC(Surface) surfaces;
+  VEC(LsysContour) contours;
   VEC(uint32_t) colours;
   const AstStatement *page[LSYS_PAGE_COUNT];  // what the grammar says of its pictures
-  VEC(Action) blocks[4];  // Start, StartEach, EndEach, End
+  VEC(Action) blocks[4];                      // Start, StartEach, EndEach, End
   const AstStatement *environment;
   Expr *parameters[LSYS_ENVIRONMENT_VALUES];  // of it
   Expr *settings[LSYS_SETTING_COUNT], *seed;

@@ -7,12 +7,16 @@
 //   curveGAL(n)  the length of a curve, n known when the grammar is compiled
 //   curveX(n, s) curveY curveZ    a curve's place at s of 0 to 1, in parts of its length
 //
+// A contour N is a table for the turtle, which finds it in the descriptor by its number.
+//
 // The names of what only these statements make hold a dot, which no name of a grammar does.
 #include "frontend/ast_build.h"
 #include "frontend/check.h"
 #include "frontend/spline.h"
 
+#include <errno.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const char *const curve_calls[] = {"curveX", "curveY", "curveZ"};
@@ -56,18 +60,20 @@ static Samples *new_table(Check *check, const char *name, double *values, uint32
 static bool read_file(Check *check, const AstStatement *statement, Splines *splines) {
   const AstExpr *value = statement->value;
   if (value->kind == AST_POISON) return false;
-  bool curve = statement->kind == AST_CURVE;
+  bool curve = statement->kind != AST_FUNCTION;
+  const char *what = statement->kind == AST_CONTOUR ? "contour" : curve ? "curve" : "function";
   if (value->kind != AST_STRING) {
     diag_error(check->diag, value->span, "`%s` is followed by the name of a file",
-               curve             ? "curve NAME:"
-               : statement->name ? "function NAME:"
-                                 : "functions:");
+               statement->kind == AST_CONTOUR ? "contour N:"
+               : curve                        ? "curve NAME:"
+               : statement->name              ? "function NAME:"
+                                              : "functions:");
     return false;
   }
   char why[256];
   const char *path = check_beside(check, statement, value->text);
   if (splines_read(check->arena, path, curve, splines, why, sizeof why)) return true;
-  diag_error(check->diag, value->span, "cannot read the %s \"%s\": %s", curve ? "curve" : "function", path, why);
+  diag_error(check->diag, value->span, "cannot read the %s \"%s\": %s", what, path, why);
   return false;
 }
 
@@ -129,8 +135,53 @@ static void collect_curve(Check *check, const AstStatement *statement, const Spl
   *VEC_PUSH(check->arena, &check->curves) = statement->name;
 }
 
+// Twice the area that the points go around, from L to U.
+static double area_around(double *const values[3], unsigned pieces) {
+  double area = 0;
+  for (unsigned i = 0; i < pieces; i++) area += values[0][i] * values[1][i + 1] - values[0][i + 1] * values[1][i];
+  return area;
+}
+
+// A closed one is turned round where it has its inside on the right, so that normals show outwards.
+static void collect_contour(Check *check, const AstStatement *statement, const Spline *spline) {
+  const unsigned pieces = spline->samples;
+  double *values[3], *point = arena_array(check->arena, 2 * (pieces + (size_t)1), sizeof *point);
+  for (int c = 0; c < 3; c++) values[c] = arena_array(check->arena, pieces + (size_t)1, sizeof(double));
+  double length = spline_curve(check->arena, spline, values);
+  if (!(length > 0 && isfinite(length))) {
+    diag_error(check->diag, statement->value->span, "the contour's length is %s", length > 0 ? "infinite" : "0");
+    return;
+  }
+  bool back = spline->closed && area_around(values, pieces) < 0;
+  for (unsigned i = 0; i <= pieces; i++) {
+    unsigned from = spline->closed && i == pieces ? 0 : i;
+    if (back && from) from = pieces - from;
+    for (int c = 0; c < 2; c++) point[2 * i + (unsigned)c] = values[c][from];
+  }
+  *VEC_PUSH(check->arena, &check->contours) =
+    (LsysContour){(uint32_t)strtoul(statement->name, NULL, 10), pieces, spline->closed, 0, point};
+}
+
+// The name of a contour is its number, which no other one has.
+static bool is_contour_number(Check *check, const AstStatement *statement) {
+  char *end;
+  errno = 0;
+  unsigned long number = strtoul(statement->name, &end, 10);
+  if (*end || errno || number < 1 || number > LSYS_MOST_CONTOUR) {
+    diag_error(check->diag, statement->name_span, "a contour has a number, 1 to %d, for `@#(1)`", LSYS_MOST_CONTOUR);
+    return false;
+  }
+  for (size_t i = 0; i < check->contours.count; i++) {
+    if (check->contours.at[i].number != number) continue;
+    diag_error(check->diag, statement->name_span, "contour %lu is given twice", number);
+    return false;
+  }
+  return true;
+}
+
 static void collect(Check *check, const AstStatement *statement, Splines *splines) {
   if (statement->kind == AST_FUNCTION && statement->name && !is_free(check, statement)) return;
+  if (statement->kind == AST_CONTOUR && !is_contour_number(check, statement)) return;
   if (!read_file(check, statement, splines)) return;
   if (!statement->name) {
     for (size_t i = 0; i < splines->count; i++)
@@ -141,6 +192,8 @@ static void collect(Check *check, const AstStatement *statement, Splines *spline
   if (!spline) return;
   if (statement->kind == AST_CURVE)
     collect_curve(check, statement, spline);
+  else if (statement->kind == AST_CONTOUR)
+    collect_contour(check, statement, spline);
   else
     collect_function(check, statement, statement->name, spline);
 }
@@ -149,7 +202,7 @@ void functions_collect(Check *check, const AstStatement *statement) {
   Splines splines = {0};
   size_t errors = diag_errors(check->diag);
   collect(check, statement, &splines);
-  if (diag_errors(check->diag) == errors) return;
+  if (diag_errors(check->diag) == errors || statement->kind == AST_CONTOUR) return;
   check->unread[statement->kind == AST_CURVE] = true;
   if (statement->kind == AST_FUNCTION && statement->name) name_intern(check, statement->name)->unread = true;
 }

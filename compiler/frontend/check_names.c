@@ -252,6 +252,7 @@ void check_collect(Check *check) {
       break;
     case AST_FUNCTION:
     case AST_CURVE:
+    case AST_CONTOUR:
       functions_collect(check, statement);
       break;
     case AST_MODULES:

@@ -324,6 +324,7 @@ static void read_statement(Check *check, const AstStatement *statement) {
     break;
   case AST_FUNCTION:
   case AST_CURVE:
+  case AST_CONTOUR:
     break;  // read with all others
   case AST_ENVIRONMENT:
     check_environment(check, statement);

@@ -193,7 +193,10 @@ static void print_setting(Printer *printer, const AstStatement *statement) {
 // that could be written.
 static void print_file(Printer *printer, const AstStatement *statement) {
   FILE *out = OUT(printer);
-  const char *what = statement->kind == AST_SURFACE ? "surface" : statement->kind == AST_CURVE ? "curve" : "function";
+  const char *what = statement->kind == AST_SURFACE ? "surface"
+                   : statement->kind == AST_CURVE   ? "curve"
+                   : statement->kind == AST_CONTOUR ? "contour"
+                                                    : "function";
   if (statement->name) {
     fprintf(out, "%s ", what);
     for (const char *c = statement->name; *c; c++) fputc(*c == '.' ? '_' : *c, out);
@@ -319,6 +322,7 @@ static void print_statement(Printer *printer, const AstStatement *statement, boo
   case AST_COLOURS:
   case AST_FUNCTION:
   case AST_CURVE:
+  case AST_CONTOUR:
     print_definition(printer, statement);
     break;
   default:

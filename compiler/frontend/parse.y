@@ -46,7 +46,7 @@ static void yyerror(const Span *span, Parser *parser, const char *message);
 %token HOMOMORPHISM "`homomorphism`" PRODUCTIONS "`productions`" MAXIMUM_DEPTH "`maximum depth:`" TABLE "`table`"
 %token TABLES "`tables:`" RING "`ring lsystem`" LSYSTEM "`lsystem:`" ENDLSYSTEM "`endlsystem`" SURFACE "`surface`"
 %token COLOURS "`colours:`"
-%token FUNCTION_FILE "`function`" FUNCTION_SET "`functions:`" CURVE_FILE "`curve`"
+%token FUNCTION_FILE "`function`" FUNCTION_SET "`functions:`" CURVE_FILE "`curve`" CONTOUR_FILE "`contour`"
 %token ENVIRONMENT "`environment:`" PARAM "`param`" MODULE "`module`" MODULES "`#modules`" DEFINE "`#define`"
 %token UNDEF "`#undef`" INCLUDE "`#include`" IFDEF "`#ifdef`" IFNDEF "`#ifndef`" ELIF "`#elif`" ENDIF "`#endif`"
 %token HASH_IF "`#if`" HASH_ELSE "`#else`"
@@ -135,6 +135,7 @@ statement:
 | FUNCTION_FILE NAME COLON expr { build_named(parser, AST_FUNCTION, $2, @2)->value = $4; }
 | FUNCTION_SET expr { build_statement(parser, AST_FUNCTION)->value = $2; }
 | CURVE_FILE NAME COLON expr { build_named(parser, AST_CURVE, $2, @2)->value = $4; }
+| CONTOUR_FILE NAME COLON expr { build_named(parser, AST_CONTOUR, $2, @2)->value = $4; }
 | ENVIRONMENT expr { build_statement(parser, AST_ENVIRONMENT)->value = $2; }
 | declaration
 | blocks

@@ -238,10 +238,12 @@ typedef struct Program {
   size_t array_count;
   Surface *surfaces;
   size_t surface_count;
+  LsysContour *contours;  // of `contour N: FILE`, each number once
+  size_t contour_count;
   uint32_t *colours;  // 0xRRGGBB of the indices from 0 on that `colours:` gives
   size_t colour_count;
   const char *page[LSYS_PAGE_COUNT];  // what it says of its pictures; NULL: nothing
-  const char **names;  // declared, whether or not a kind has them: how words are cut into symbols
+  const char **names;                 // declared, whether or not a kind has them: how words are cut into symbols
   size_t name_count;
   Actions start, start_each, end_each, end;
   uint32_t sites;                 // calls of random functions, numbered 1..sites

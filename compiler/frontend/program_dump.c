@@ -270,6 +270,10 @@ void program_dump(const Program *program, FILE *out) {
   dump_kinds(&dump);
   dump_values(&dump);
   for (size_t i = 0; i < program->surface_count; i++) dump_surface(&dump, &program->surfaces[i]);
+  for (size_t i = 0; i < program->contour_count; i++) {
+    const LsysContour *c = &program->contours[i];
+    fprintf(out, "contour %u: %s, %u pieces\n", c->number, c->closed ? "closed" : "open", c->pieces);
+  }
   if (program->colour_count) fputs("colours:", out);
   for (size_t i = 0; i < program->colour_count; i++)
     fprintf(out, " #%06x%s", program->colours[i], i + 1 < program->colour_count ? "" : "\n");

@@ -23,6 +23,7 @@ typedef enum Meaning {
   VIEW_FUNCTION,
   VIEW_FUNCTIONS,
   VIEW_CURVE,
+  VIEW_CONTOUR,
   VIEW_NOTHING
 } Meaning;
 
@@ -46,6 +47,7 @@ typedef struct View {
   const Statement *line;  // that is being read
   const char *at;         // in it
   unsigned functions, curves;
+  unsigned long contour;  // number of the last one
   unsigned tropisms;
   VEC(const char *) idle;  // commands without a meaning, each once
 } View;
@@ -228,6 +230,22 @@ static void spline(View *view, Meaning meaning) {
   if (meaning == VIEW_CURVE) statement->name = arena_printf(view->build.arena, "curve.%u", ++view->curves);
 }
 
+static void contour(View *view) {
+  Span span;
+  const char *number;
+  AstExpr *path = file_name(view);
+  if (!path) return;
+  AstStatement *statement = add(view, AST_CONTOUR);
+  statement->value = path;
+  if (word(view, &span, &number)) {
+    statement->name = number;
+    statement->name_span = span;
+    view->contour = strtoul(number, NULL, 10);
+  } else {
+    statement->name = arena_printf(view->build.arena, "%lu", ++view->contour);
+  }
+}
+
 // ---- commands ----------------------------------------------------------------
 
 // The command that the line begins with; *rest is behind its colon.
@@ -309,6 +327,9 @@ static void read_line(View *view) {
   case VIEW_FUNCTIONS:
   case VIEW_CURVE:
     spline(view, command->meaning);
+    break;
+  case VIEW_CONTOUR:
+    contour(view);
     break;
   case VIEW_NOTHING:
     note_idle(view, command->keyword);

@@ -199,6 +199,7 @@ typedef enum TurtleWarning {
   WARN_TROPISM,
   WARN_SWEEP,
   WARN_PATCH,
+  WARN_CONTOUR,
 } TurtleWarning;
 
 // Prints a warning about the current module, once for each kind of warning.

@@ -19,6 +19,36 @@ typedef struct Contour {
   uint32_t corners;  // a closed one repeats the first at the end
 } Contour;
 
+// The contour of this number that the grammar's files give; NULL: none.
+static const LsysContour *file_contour(const LsysTurtle *t, uint32_t number) {
+  const LsysGrammar *g = t->run->grammar;
+  for (uint32_t i = 0; i < g->contour_count; i++) {
+    if (g->contours[i].number == number) return &g->contours[i];
+  }
+  return NULL;
+}
+
+// So many sides of a file's contour, equally long along it. Normals are at right angles to the line between the
+// neighbours: out of a closed contour, to the left of an open one.
+static void sample_contour(Contour *c, const LsysContour *file, uint32_t sides) {
+  c->corners = sides + 1;
+  for (uint32_t i = 0; i <= sides; i++) {
+    double at = (double)file->pieces * i / sides;
+    uint32_t piece = at < file->pieces ? (uint32_t)at : file->pieces - 1;
+    const double *p = &file->point[2 * (size_t)piece];
+    double share = at - piece;
+    c->left[i] = p[0] * (1 - share) + p[2] * share;
+    c->up[i] = p[1] * (1 - share) + p[3] * share;
+  }
+  for (uint32_t i = 0; i <= sides; i++) {
+    uint32_t before = i ? i - 1 : file->closed ? sides - 1 : 0, behind = i < sides ? i + 1 : file->closed ? 1 : sides;
+    double x = c->left[behind] - c->left[before], y = c->up[behind] - c->up[before];
+    double length = sqrt(x * x + y * y), unit = length > 0 ? (file->closed ? 1 : -1) / length : 0;
+    c->normal_left[i] = y * unit;
+    c->normal_up[i] = unit == 0 ? 1 : -x * unit;
+  }
+}
+
 // 0 a circle, 1 a ribbon along L, 2 a gutter (half a circle, open towards U).
 static void make_contour(Contour *c, uint32_t which, uint32_t sides) {
   c->corners = sides + 1;
@@ -100,8 +130,11 @@ static bool hand_on(LsysTurtle *t, uint32_t vertices, uint32_t triangles) {
 
 static bool draw_piece(LsysTurtle *t, const Piece *piece, uint32_t rings) {
   Contour contour;
-  uint32_t sides = t->state.contour == 1 ? 2 : t->state.sides;
-  make_contour(&contour, t->state.contour, sides);
+  const LsysContour *file = file_contour(t, t->state.contour);
+  if (file)
+    sample_contour(&contour, file, t->state.sides);
+  else
+    make_contour(&contour, t->state.contour, t->state.contour == 1 ? 2 : t->state.sides);
   uint32_t row = contour.corners;
   if (!room(t, (size_t)(rings + 1) * row, 6 * (size_t)rings * row)) return false;
   LsysVec3 *vertex = t->sweep.vertex, *normal = t->sweep.normal;
@@ -163,7 +196,12 @@ bool act_cylinder_tangent(LsysTurtle *t, int given, const double *arg) {
 }
 
 bool act_contour(LsysTurtle *t, int given, const double *arg) {
-  t->state.contour = given ? (uint8_t)whole(arg[0], 0, 2) : 0;
+  double number = given ? arg[0] : 0;
+  bool in_range = number >= 0 && number < LSYS_MOST_CONTOUR + 1;
+  if (in_range && ((uint32_t)number <= 2 || file_contour(t, (uint32_t)number)))
+    t->state.contour = (uint8_t)number;
+  else
+    turtle_warn(t, WARN_CONTOUR, t->read, "there is no contour of this number: the module is left out");
   return true;
 }
 

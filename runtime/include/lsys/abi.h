@@ -24,7 +24,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define LSYS_ABI_VERSION 3u
+#define LSYS_ABI_VERSION 4u
 
 #define LSYS_FAR (UINT64_C(1) << 62)  // more steps than any derivation has; see expand
 
@@ -151,6 +151,18 @@ typedef struct LsysSurface {
   const uint32_t *corner;  // three vertices a triangle
 } LsysSurface;
 
+enum { LSYS_MOST_CONTOUR = 255 };  // the greatest number of one
+
+// A contour of generalised cylinders from a file, sampled when the grammar is compiled. A closed one goes from L to U
+// and ends in its first point.
+typedef struct LsysContour {
+  uint32_t number;      // of @#(number), 1 .. LSYS_MOST_CONTOUR
+  uint32_t pieces;      // 1 or more, equally long along the contour
+  uint32_t closed;      // 0 or 1
+  uint32_t reserved;    // 0
+  const double *point;  // pieces + 1: along L, along U, in halves of the width
+} LsysContour;
+
 // The statement blocks of a grammar.
 enum { LSYS_BLOCK_START, LSYS_BLOCK_START_EACH, LSYS_BLOCK_END_EACH, LSYS_BLOCK_END };
 
@@ -225,6 +237,9 @@ struct LsysGrammar {
   uint32_t environment;             // LsysEnvironmentId
   const char *environment_path;     // LSYS_ENVIRONMENT_FILE: of the shared object
   const double *environment_value;  // LSYS_ENVIRONMENT_VALUES of them
+
+  uint32_t contour_count;
+  const LsysContour *contours;
 };
 
 // ---- what compiled code calls ----------------------------------------------
