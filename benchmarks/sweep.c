@@ -55,6 +55,7 @@ static void run_row(const Options *options, const Row *row) {
 void bench_sweep(const Options *options) {
   if (!options->json)
     printf("%-14s %5s %14s %9s %10s %10s\n", "row", "steps", "modules", "seconds", "ns/module", "MB grown");
+  fflush(stdout);  // before processes of rows have it, too
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
     if (bench_wants(options, rows[i].grammar)) run_row(options, &rows[i]);
 }
