@@ -28,7 +28,7 @@ typedef struct Facts {
   const LSystem **views;
   uint32_t view_count;
   bool context_free;   // no contexts, pseudo-productions, cut, ring, queries, globals: the expand engine applies
-  bool queries;  // a word can hold modules that ask the turtle or the environment
+  bool queries;        // a word can hold modules that ask the turtle or the environment
   bool deterministic;  // nothing draws
   bool parametric, bracketed, stochastic, sequential, tables;
   bool balanced;                             // brackets nest in every word

@@ -26,7 +26,8 @@ typedef struct LsysPictureOptions {
 extern const LsysPictureOptions lsys_picture_defaults;
 
 struct LsysOptions;
-// Reads the options of pictures, and what the grammar says where they are not given. False after printing what is wrong.
+// Reads the options of pictures, and what the grammar says where they are not given. False after printing what is
+// wrong.
 bool lsys_picture_options(const struct LsysOptions *given, const LsysGrammar *grammar, LsysPictureOptions *options);
 
 // A place on the page in pixels: x to the right, y down, z towards the viewer.
