@@ -5,6 +5,7 @@
 #include "driver/manual.h"
 #include "lsys/help.h"
 
+#include <ctype.h>
 #include <string.h>
 
 // An option of lsysc, or of the programs that `run` and `interp` pass it on to.
@@ -58,7 +59,7 @@ static void collect(Candidates *all) {
 }
 
 static bool is_list(const Candidate *option) {
-  return option->value && (strchr(option->value, '|') || strcmp(option->value, "FORMAT") == 0);
+  return option->value && (!isupper((unsigned char)option->value[0]) || strcmp(option->value, "FORMAT") == 0);
 }
 
 static bool takes_file(const Candidate *option) {

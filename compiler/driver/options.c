@@ -6,6 +6,7 @@
 #include "driver/options.h"
 #include "driver/report.h"
 
+#include <ctype.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -64,7 +65,8 @@ static bool is_definition(const char *text) {
   return length > 0 && (!text[length] || text[length] == '=') && !strchr(text, '\n');
 }
 
-// place: of value in the option's list of accepted values; 0 for options without such a list.
+// place: of value in the option's list of accepted values (capitals name what may be anything); 0 for options without
+// such a list.
 static bool apply(Reader *reader, OptionId id, const char *value, int place) {
   Options *options = reader->options;
   switch (id) {
@@ -105,6 +107,8 @@ static bool apply(Reader *reader, OptionId id, const char *value, int place) {
     break;
   case OPTION_DIALECT:
     options->parse.dialect = value;
+    break;
+  case OPTION_TO:  // its one value is what happens without it, too
     break;
   case OPTION_VIEW:
     options->parse.view = value;
@@ -169,7 +173,7 @@ static bool take_option(Reader *reader, OptionId id, const char *value) {
   if (row->how == OPTION_FLAG) return apply(reader, id, NULL, 0);
   if (!value && *reader->at) value = *reader->at++;
   if (!value || !*value) return report_error("`%s` needs a value: %s", row->spelling, row->value);
-  int place = strchr(row->value, '|') ? place_in(row->value, value) : 0;
+  int place = !isupper((unsigned char)row->value[0]) ? place_in(row->value, value) : 0;
   if (place < 0) return report_error("`%s` takes %s, not `%s`", row->spelling, row->value, value);
   return apply(reader, id, value, place);
 }

@@ -145,10 +145,6 @@ static bool close_page(LsysVector *vector) {
                         (unsigned long long)table);
 }
 
-static void destroy(LsysVector *vector) {
-  free(vector);
-}
-
 static const LsysVectorFormat format = {
   .open = open_page,
   .ink = set_ink,
@@ -162,7 +158,6 @@ static const LsysVectorFormat format = {
   .close = close_page,
   .pack = pack,
   .write = write_piece,
-  .destroy = destroy,
 };
 
 LsysSink *lsys_pdf_create(LsysOut *out, const LsysPictureOptions *options) {

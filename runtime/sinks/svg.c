@@ -79,10 +79,6 @@ static bool write_text(LsysVector *vector, const void *text, size_t size) {
   return lsys_out_write(vector->out, text, size);
 }
 
-static void destroy(LsysVector *vector) {
-  free(vector);
-}
-
 static const LsysVectorFormat format = {
   .open = open_page,
   .ink = set_ink,
@@ -95,7 +91,6 @@ static const LsysVectorFormat format = {
   .step = put_step,
   .close = close_page,
   .write = write_text,
-  .destroy = destroy,
 };
 
 LsysSink *lsys_svg_create(LsysOut *out, const LsysPictureOptions *options) {

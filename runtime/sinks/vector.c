@@ -12,6 +12,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -248,7 +249,7 @@ static bool close_page(LsysCanvas *canvas) {
 static void destroy(LsysCanvas *canvas) {
   LsysVector *v = (LsysVector *)canvas;
   lsys_press_close(v->press);
-  v->format->destroy(v);
+  free(v);
 }
 
 LsysSink *lsys_vector_create(LsysVector *v, const LsysVectorFormat *format, LsysOut *out,

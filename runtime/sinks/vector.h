@@ -29,7 +29,6 @@ typedef struct LsysVectorFormat {
   // May be NULL: appends to `to`, on any thread, what becomes of a piece of text before it is written.
   bool (*pack)(const void *text, size_t size, LsysPrepared *to);
   bool (*write)(LsysVector *vector, const void *bytes, size_t size);  // one piece, packed if there is `pack`
-  void (*destroy)(LsysVector *vector);                                // what it holds and itself
 } LsysVectorFormat;
 
 struct LsysVector {
@@ -49,7 +48,7 @@ struct LsysVector {
   char text[LSYS_VECTOR_TEXT];
 };
 
-// A sink that draws to a format's own LsysVector, zeroed, which it takes over; NULL: memory ran out. NULL after
+// A sink that draws to a format's own LsysVector, from calloc, which it takes over; NULL: memory ran out. NULL after
 // printing why.
 LsysSink *lsys_vector_create(LsysVector *vector, const LsysVectorFormat *format, LsysOut *out,
                              const LsysPictureOptions *options);

@@ -20,3 +20,4 @@ for f in $CASES/../derive/*.l $CASES/../seeds/*.txt; do
   head -n $half both > before
   tail -n $half both | cmp -s - before || echo "$f gives another word or drawing"
 done
+lsysc fmt --to=cpfg plant.lsys
