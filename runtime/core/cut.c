@@ -119,11 +119,22 @@ static double weigh(Sampler *sampler, const LsysWord *word, uint64_t steps, uint
   return sample.nsym ? sampler->weight / (double)sample.nsym : 0;
 }
 
+// The fewest of the last steps, above `few` and up to `many`, in which a module becomes heavy enough; in `many` it does.
+static uint64_t bisect(Sampler *sampler, const LsysWord *word, uint64_t steps, uint64_t few, uint64_t many) {
+  while (many - few > 1) {
+    uint64_t middle = few + (many - few) / 2;
+    *(weigh(sampler, word, steps, middle) < WORTH ? &few : &many) = middle;
+  }
+  return many;
+}
+
+// Looks at few steps first, because samples of many take long.
 static uint64_t search(Sampler *sampler, const LsysWord *word, uint64_t steps, uint64_t *modules) {
-  for (uint64_t last = 1; last < steps; last += last < 16 ? 1 : last) {
-    double weight = weigh(sampler, word, steps, last);
-    if (weight < WORTH) continue;
+  for (uint64_t last = 1, before = 0; last < steps; before = last, last += last < 16 ? 1 : last) {
+    if (weigh(sampler, word, steps, last) < WORTH) continue;
     if (!sampler->shared && sampler->referenced > MOSTLY * sampler->written) break;
+    last = bisect(sampler, word, steps, before, last);
+    double weight = weigh(sampler, word, steps, last);
     *modules = weight < STRETCH ? (uint64_t)(STRETCH / weight) : 1;
     return last;
   }

@@ -10,7 +10,7 @@
 #include "core/pipeline.h"
 #include "core/store.h"
 
-enum { ALONE = 64 };  // stretches that this thread derives before it starts others
+enum { ALONE = 16 };  // stretches that this thread derives before it starts others
 
 struct LsysParallel {
   LsysWorker *worker;  // of this thread, with all steps
