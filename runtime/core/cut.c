@@ -119,7 +119,8 @@ static double weigh(Sampler *sampler, const LsysWord *word, uint64_t steps, uint
   return sample.nsym ? sampler->weight / (double)sample.nsym : 0;
 }
 
-// The fewest of the last steps, above `few` and up to `many`, in which a module becomes heavy enough; in `many` it does.
+// The fewest of the last steps, above `few` and up to `many`, in which a module becomes heavy enough; in `many` it
+// does.
 static uint64_t bisect(Sampler *sampler, const LsysWord *word, uint64_t steps, uint64_t few, uint64_t many) {
   while (many - few > 1) {
     uint64_t middle = few + (many - few) / 2;
