@@ -20,6 +20,7 @@ void bench_outputs(const Options *options);  // outputs.c: text, hash, pictures
 void bench_sweep(const Options *options);    // sweep.c: cost per module as words grow
 void bench_threads(const Options *options);  // threads.c: one thread and two
 void bench_start(const Options *options);    // start.c: from a grammar to its first module
+void bench_passes(const Options *options);   // passes.c: where the time of a compilation goes
 void bench_today(const Options *options);    // today.c: what people use, if it is installed
 
 bool bench_wants(const Options *options, const char *row);

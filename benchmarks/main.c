@@ -17,6 +17,7 @@ static const struct {
   {"sweep", bench_sweep, "cost per module and memory as a streamed word grows"},
   {"threads", bench_threads, "one thread and two, beside plain arithmetic on as many"},
   {"start", bench_start, "start-up, compile times, time to the first module"},
+  {"passes", bench_passes, "where the time of a compilation goes"},
   {"today", bench_today, "the npm package lindenmayer, run by node where both are installed"},
 };
 enum { GROUPS = sizeof groups / sizeof *groups };

@@ -2,6 +2,8 @@
 // driver reaches it: Program + Facts + description -> module -> file or running code.
 #include "codegen/ir.h"
 
+#include "support/laps.h"
+
 #include <stdlib.h>
 
 // Globals, or blocks that may do anything: nothing may happen in another order than it is written.
@@ -39,8 +41,11 @@ static LLVMMemoryBufferRef generate(Ir *ir, EmitKind kind, LLVMTargetMachineRef 
   LLVMContextRef context = LLVMContextCreate();
   ir->arena = arena_create();
   build(ir, context, machine);
+  laps_end(ir->options->laps, "emit IR");
   bool sound = diag_errors(ir->diag) == 0 && emit_passes(ir, machine);
+  laps_end(ir->options->laps, "optimise");
   LLVMMemoryBufferRef buffer = sound ? emit_buffer(ir, machine, kind) : NULL;
+  laps_end(ir->options->laps, "generate");
   ir_destroy(ir);
   arena_destroy(ir->arena);
   LLVMContextDispose(context);
@@ -80,7 +85,9 @@ static Jit *jit(const Program *program, const Facts *facts, const LsysGrammar *d
     LLVMDisposeTargetMachine(machine);
     return NULL;
   }
-  return jit_create(machine, object, options->symbol, symbols, symbol_count, diag);
+  Jit *jit = jit_create(machine, object, options->symbol, symbols, symbol_count, diag);
+  laps_end(options->laps, "link");
+  return jit;
 }
 
 __attribute__((visibility("default"))) const Backend lsysc_backend = {version, emit, jit, jit_grammar, jit_free};

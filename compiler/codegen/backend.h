@@ -16,6 +16,7 @@ typedef struct BackendOptions {
   const char *cpu;     // NULL: baseline; "native"
   const char *symbol;  // name of the exported descriptor, "lsys_grammar"
   bool verify;         // run LLVM's verifier (always in debug builds)
+  struct Laps *laps;   // NULL: nobody asks
 } BackendOptions;
 
 typedef struct Jit Jit;

@@ -9,6 +9,7 @@
 #include "frontend/fmt.h"
 #include "frontend/fractint.h"
 #include "interp/interp.h"
+#include "support/laps.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -21,6 +22,7 @@ typedef struct Session {
   const Program *checked;
   const Facts *facts;
   const LsysGrammar *description;
+  Laps *laps;  // NULL: nobody asks
 } Session;
 
 static bool failed(const Session *session) {
@@ -85,11 +87,14 @@ static unsigned level_for(const Session *session) {
 static int run_jit(const Session *session) {
   const Backend *backend = backend_load(session->arena, home_find(session->arena));
   if (!backend) return EXIT_FAILURE;
+  laps_end(session->laps, "load LLVM");
   BackendOptions how = session->options->backend;
+  how.laps = session->laps;
   how.optimise = level_for(session);
   Jit *jit = backend->jit(session->checked, session->facts, session->description, &how, lsys_symbols, lsys_symbol_count,
                           session->diag);
   if (!jit) return EXIT_FAILURE;
+  if (session->laps) laps_print(session->laps, stderr);
   int status = run_program(session, backend->jit_grammar(jit));
   backend->jit_free(jit);
   return status;
@@ -103,12 +108,16 @@ static int run_interp(const Session *session) {
 }
 
 // Generated code as the back end writes it, in memory, so that no half-written file can be left behind.
-static char *generate(const Session *session, const BackendOptions *how, size_t *size) {
+static char *generate(const Session *session, EmitKind kind, size_t *size) {
   const Backend *backend = backend_load(session->arena, home_find(session->arena));
   if (!backend) return NULL;
+  laps_end(session->laps, "load LLVM");
+  BackendOptions how = session->options->backend;
+  how.emit = kind;
+  how.laps = session->laps;
   char *code = NULL;
   FILE *out = open_memstream(&code, size);
-  bool done = out && backend->emit(session->checked, session->facts, session->description, how, out, session->diag);
+  bool done = out && backend->emit(session->checked, session->facts, session->description, &how, out, session->diag);
   if (out && fclose(out) != 0) done = report_error("out of memory");
   if (done) return code;
   free(code);
@@ -120,19 +129,18 @@ static int emit(const Session *session) {
   const char *name = output_name(session->arena, options, options->files.at[0]);
   if (!name) return EXIT_FAILURE;
   size_t size;
-  char *code = generate(session, &options->backend, &size);
+  char *code = generate(session, options->backend.emit, &size);
   if (!code) return EXIT_FAILURE;
   bool done = options->program ? link_program(session->arena, options, home_find(session->arena), name, code, size)
                                : output_write(session->arena, name, code, size);
   free(code);
+  laps_end(session->laps, options->program ? "link" : "write");
   return done ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 static int dump_ir(const Session *session) {
-  BackendOptions how = session->options->backend;
-  how.emit = EMIT_LLVM;
   size_t size;
-  char *code = generate(session, &how, &size);
+  char *code = generate(session, EMIT_LLVM, &size);
   if (!code) return EXIT_FAILURE;
   fwrite(code, 1, size, stdout);
   free(code);
@@ -165,6 +173,7 @@ static int process(Session *session, const char *path) {
     return printed() && !failed(session) ? EXIT_SUCCESS : EXIT_FAILURE;
   }
   const Ast *ast = parse_file(session->arena, session->sources, session->diag, file, &options->parse);
+  laps_end(session->laps, "parse");
   if (options->dump == DUMP_AST) ast_dump(ast, stdout);
   if (failed(session)) {
     check(session->arena, ast, session->diag);  // what else is wrong is told in the same run
@@ -174,6 +183,7 @@ static int process(Session *session, const char *path) {
   if (options->command == COMMAND_FMT) return print_native(session, ast);
 
   session->checked = check(session->arena, ast, session->diag);
+  laps_end(session->laps, "check");
   if (failed(session) || !session->checked) return EXIT_FAILURE;
   if (options->dump == DUMP_PROGRAM) return program_dump(session->checked, stdout), !printed();
   if (options->command == COMMAND_CHECK) return EXIT_SUCCESS;
@@ -183,6 +193,7 @@ static int process(Session *session, const char *path) {
     return analyze_print(session->checked, session->facts, stdout), !printed();
 
   session->description = describe(session->arena, session->checked, session->facts);
+  laps_end(session->laps, "analyze");
   if (options->dump == DUMP_IR) return dump_ir(session);
   if (options->command == COMMAND_RUN) return run_jit(session);
   if (options->command == COMMAND_INTERP) return run_interp(session);
@@ -194,7 +205,11 @@ static int compile(const Options *options, const char *path) {
   Arena *arena = arena_create();
   Session session = {.options = options, .arena = arena, .sources = sources_create(arena)};
   session.diag = diag_create(arena, session.sources, &options->diag);
+  Laps laps;
+  laps_begin(&laps);
+  if (options->times) session.laps = &laps;
   int status = process(&session, path);
+  if (session.laps && options->command != COMMAND_RUN) laps_print(&laps, stderr);
   arena_destroy(arena);
   return status;
 }

@@ -135,6 +135,9 @@ static bool apply(Reader *reader, OptionId id, const char *value, int place) {
   case OPTION_VERBOSE:
     options->verbose = true;
     break;
+  case OPTION_TIMES:
+    options->times = true;
+    break;
   case OPTION_HELP:
     options->help = true;
     break;

@@ -42,7 +42,7 @@ typedef struct Options {
   Strings files;   // of `help`: its topic
   Strings passed;  // run, interp: what goes to the program, in order
   Strings given;   // run, interp: -D behind the grammar, for grammar and program
-  bool help, version, verbose, list_systems;
+  bool help, version, verbose, times, list_systems;
   const char *output;  // -o; NULL: from the file's name
   bool program;        // link a program; otherwise backend.emit says what to write
   BackendOptions backend;
