@@ -65,20 +65,57 @@ static bool is_definition(const char *text) {
   return length > 0 && (!text[length] || text[length] == '=') && !strchr(text, '\n');
 }
 
-// place: of value in the option's list of accepted values (capitals name what may be anything); 0 for options without
-// such a list.
-static bool apply(Reader *reader, OptionId id, const char *value, int place) {
-  Options *options = reader->options;
+// Where a value that is kept as it is given goes; NULL: it is not.
+static const char **text_of(Options *options, OptionId id) {
   switch (id) {
   case OPTION_OUTPUT:
-    options->output = value;
-    break;
+    return &options->output;
+  case OPTION_TARGET:
+    return &options->backend.target;
+  case OPTION_MARCH:
+    return &options->backend.cpu;
+  case OPTION_LINKER:
+    return &options->linker;
+  case OPTION_DIALECT:
+    return &options->parse.dialect;
+  case OPTION_VIEW:
+    return &options->parse.view;
+  case OPTION_SYSTEM:
+    return &options->parse.system;
+  default:
+    return NULL;
+  }
+}
+
+// What an option sets by being there; NULL: it does something else.
+static bool *flag_of(Options *options, OptionId id) {
+  switch (id) {
+  case OPTION_DEBUG:
+    return &options->backend.debug;
+  case OPTION_LIST_SYSTEMS:
+    return &options->list_systems;
+  case OPTION_NO_WARNINGS:
+    return &options->diag.no_warnings;
+  case OPTION_VERBOSE:
+    return &options->verbose;
+  case OPTION_TIMES:
+    return &options->times;
+  case OPTION_HELP:
+    return &options->help;
+  case OPTION_VERSION:
+    return &options->version;
+  default:
+    return NULL;
+  }
+}
+
+// place: of value in the option's list of accepted values; 0 for options without such a list.
+static bool apply_other(Reader *reader, OptionId id, const char *value, int place) {
+  Options *options = reader->options;
+  switch (id) {
   case OPTION_OPTIMISE:
     options->backend.optimise = (unsigned)place;
     options->optimise_given = true;
-    break;
-  case OPTION_DEBUG:
-    options->backend.debug = true;
     break;
   case OPTION_OBJECT:
     set_emit(options, 1);
@@ -89,15 +126,6 @@ static bool apply(Reader *reader, OptionId id, const char *value, int place) {
   case OPTION_EMIT:
     set_emit(options, place);
     break;
-  case OPTION_TARGET:
-    options->backend.target = value;
-    break;
-  case OPTION_MARCH:
-    options->backend.cpu = value;
-    break;
-  case OPTION_LINKER:
-    options->linker = value;
-    break;
   case OPTION_INCLUDE:
     *VEC_PUSH(reader->arena, &reader->include_dirs) = value;
     break;
@@ -105,48 +133,30 @@ static bool apply(Reader *reader, OptionId id, const char *value, int place) {
     if (!is_definition(value)) return report_error("`-D` takes NAME=VALUE, not `%s`", value);
     *VEC_PUSH(reader->arena, runs_file(options) ? &options->given : &reader->defines) = value;
     break;
-  case OPTION_DIALECT:
-    options->parse.dialect = value;
-    break;
-  case OPTION_TO:  // its one value is what happens without it, too
-    break;
-  case OPTION_VIEW:
-    options->parse.view = value;
-    break;
-  case OPTION_SYSTEM:
-    options->parse.system = value;
-    break;
-  case OPTION_LIST_SYSTEMS:
-    options->list_systems = true;
-    break;
   case OPTION_DUMP:
     options->dump = (Dump)(place + 1);
     break;
   case OPTION_WARNING:
-    if (!diag_option(&options->diag, value))
-      return report_error("unknown warning `-W%s`; `lsysc help warnings` lists them", value);
-    break;
-  case OPTION_NO_WARNINGS:
-    options->diag.no_warnings = true;
-    break;
+    return diag_option(&options->diag, value)
+        || report_error("unknown warning `-W%s`; `lsysc help warnings` lists them", value);
   case OPTION_COLOUR:
     options->diag.colour = (ColourMode)place;
     break;
-  case OPTION_VERBOSE:
-    options->verbose = true;
-    break;
-  case OPTION_TIMES:
-    options->times = true;
-    break;
-  case OPTION_HELP:
-    options->help = true;
-    break;
-  case OPTION_VERSION:
-    options->version = true;
-    break;
-  case OPTION_COUNT:
+  default:  // --to has one value, which is what happens without it, too
     break;
   }
+  return true;
+}
+
+static bool apply(Reader *reader, OptionId id, const char *value, int place) {
+  const char **text = text_of(reader->options, id);
+  bool *flag = flag_of(reader->options, id);
+  if (text)
+    *text = value;
+  else if (flag)
+    *flag = true;
+  else
+    return apply_other(reader, id, value, place);
   return true;
 }
 
