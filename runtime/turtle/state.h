@@ -178,7 +178,7 @@ bool turtle_pop(LsysTurtle *t);
 // Does the state allow the fast loop? Turns and lengths have to mean what its table says.
 static inline bool turtle_is_plain(const LsysTurtle *t) {
   const State *s = &t->state;
-  return t->plain && s->extra == 0 && s->scale * s->size == 1 && !s->swapped && !t->skip_next && !t->polygons
+  return t->plain && s->extra == 0 && s->scale == 1 && s->size == 1 && !s->swapped && !t->skip_next && !t->polygons
       && !t->splining;
 }
 

@@ -285,6 +285,7 @@ static void set_the_state(void **state) {
   assert_at(draw_text("@R(0,1,0,1,0,0)&F", 90, &m), -1, 0, 0);
   assert_at(draw_text("@D(2)F[@D(3)F(2)]F", 90, &m), 0, 4, 0);
   assert_at(m.high, 0, 8, 0);
+  assert_at(draw_text("@D(2)@s(0.5)F F(3)", 90, &m), 0, 7, 0);  // @D scales lengths that are given, too, @s does not
 }
 
 // ABOP p. 58: each segment turns H by e |H x T| radians towards T, and never beyond it.
