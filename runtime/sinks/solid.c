@@ -22,8 +22,8 @@ typedef struct Solid {
   LsysPage page;
   int factor, width, height;  // in samples
   LsysVec3 *corner;           // of a polygon
-  uint32_t *triangle, *work;
-  size_t corner_room, triangle_room, work_room;
+  size_t corner_room;
+  PolygonCutter cutter;
   uint64_t booked;
   Sample sample[];
 } Solid;
@@ -170,17 +170,10 @@ static void draw_triangle(Solid *s, const Triangle *t) {
   }
 }
 
-static bool make_room(Solid *s, size_t count) {
-  LsysMemory *memory = s->page.memory;
-  return lsys_memory_fit(memory, &s->corner, &s->corner_room, count, sizeof *s->corner)
-      && lsys_memory_fit(memory, &s->triangle, &s->triangle_room, count, 3 * sizeof *s->triangle)
-      && lsys_memory_fit(memory, &s->work, &s->work_room, count, sizeof *s->work);
-}
-
 static bool fill(LsysRaster *raster, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb) {
   Solid *s = (Solid *)raster;
   if (count < 3) return true;
-  if (!make_room(s, count)) return false;
+  if (!lsys_memory_fit(s->page.memory, &s->corner, &s->corner_room, count, sizeof *s->corner)) return false;
   for (size_t i = 0; i < count; i++) {
     LsysPoint p = in_samples(s, &point[i]);
     s->corner[i] = (LsysVec3){p.x, p.y, p.z};
@@ -189,9 +182,9 @@ static bool fill(LsysRaster *raster, const LsysPoint *point, const LsysVec3 *nor
   double length = vec_length(n);
   if (!(length > 0)) return true;
   uint32_t colour = lit_surface(rgb, vec_scale((LsysVec3){n.x, -n.y, n.z}, 1 / length));
-  polygon_triangles(s->corner, (uint32_t)count, s->triangle, s->work);
+  if (!polygon_triangles(&s->cutter, s->corner, (uint32_t)count)) return false;
   for (size_t i = 0; i + 2 < count; i++) {
-    const uint32_t *t = s->triangle + 3 * i;
+    const uint32_t *t = s->cutter.triangle + 3 * i;
     Triangle part = {&s->corner[t[0]], &s->corner[t[1]], &s->corner[t[2]], NULL, NULL, NULL, rgb, colour};
     if (normal) {
       part.na = &normal[t[0]];
@@ -229,8 +222,7 @@ static void destroy(LsysRaster *raster) {
   Solid *s = (Solid *)raster;
   LsysMemory *memory = s->page.memory;
   lsys_memory_free(memory, s->corner, s->corner_room, sizeof *s->corner);
-  lsys_memory_free(memory, s->triangle, s->triangle_room, 3 * sizeof *s->triangle);
-  lsys_memory_free(memory, s->work, s->work_room, sizeof *s->work);
+  polygon_cutter_free(&s->cutter);
   lsys_memory_give(memory, s->booked);
   free(s);
 }
@@ -249,6 +241,7 @@ LsysRaster *lsys_raster_solid(const LsysPage *page) {
   }
   *s = (Solid){.raster = {line, fill, row, destroy},
                .page = *page,
+               .cutter = {.memory = page->memory},
                .booked = bytes,
                .factor = factor,
                .width = (int)page->width * factor,

@@ -26,8 +26,7 @@ typedef struct LsysTubeBatch {
   uint32_t triangle[3 * BATCH], edge[2 * BATCH];
   uint8_t triangle_colour[BATCH], edge_colour[BATCH];
   size_t vertices, triangles, edges;
-  uint32_t *cut, *work;  // of a polygon
-  size_t cut_room, work_room;
+  PolygonCutter cutter;
 } Batch;
 
 bool lsys_tubes_flush(LsysTubes *t) {
@@ -191,27 +190,22 @@ static bool strokes(LsysGeometry *geometry, const LsysStrokes *batch) {
 
 // ---- polygons and meshes -------------------------------------------------
 
-static bool corner_room(const LsysTubes *t, size_t count) {
-  Batch *b = t->batch;
-  return lsys_memory_fit(t->memory, &b->cut, &b->cut_room, count, 3 * sizeof *b->cut)
-      && lsys_memory_fit(t->memory, &b->work, &b->work_room, count, sizeof *b->work);
-}
-
 static bool polygon(LsysGeometry *geometry, const LsysVec3 *vertices, size_t count, const LsysPen *pen) {
   LsysTubes *t = (LsysTubes *)geometry;
   LsysVec3 normal = polygon_normal(vertices, count);
   double length = vec_length(normal);
   if (count < 3 || !(length > 0)) return true;
   normal = vec_scale(normal, 1 / length);
-  if (!corner_room(t, count)) return false;
-  polygon_triangles(vertices, (uint32_t)count, t->batch->cut, t->batch->work);
+  PolygonCutter *cutter = &t->batch->cutter;
+  cutter->memory = t->memory;
+  if (!polygon_triangles(cutter, vertices, (uint32_t)count)) return false;
   uint32_t first = (uint32_t)t->vertices;
   for (size_t i = 0; i < count; i++) {
     if (!room(t, 1, 0, 0)) return false;
     put_vertex(t, vertices[i], normal, pen->colour);
   }
   for (size_t i = 0; i + 2 < count; i++) {
-    const uint32_t *c = t->batch->cut + 3 * i;
+    const uint32_t *c = cutter->triangle + 3 * i;
     if (!room(t, 0, 1, 0)) return false;
     put_triangle(t, first + c[0], first + c[1], first + c[2]);
   }
@@ -306,8 +300,7 @@ bool lsys_tubes_create(LsysTubes *t, LsysModel *model) {
 
 void lsys_tubes_destroy(LsysTubes *t) {
   if (!t->batch) return;
-  lsys_memory_free(t->memory, t->batch->cut, t->batch->cut_room, 3 * sizeof *t->batch->cut);
-  lsys_memory_free(t->memory, t->batch->work, t->batch->work_room, sizeof *t->batch->work);
+  polygon_cutter_free(&t->batch->cutter);
   free(t->batch);
   t->batch = NULL;
 }

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PATCH_PIECES = 8, FACE_CORNERS = 1024, MOST_VERTICES = 1 << 26 };
+enum { PATCH_PIECES = 8, MOST_VERTICES = 1 << 26 };
 
 typedef struct Reader {
   FILE *file;
@@ -23,6 +23,10 @@ typedef struct Reader {
   size_t vertices, vertex_room, normals, normal_room, corners, corner_room;
   LsysVec3 *smooth;  // OBJ: the sum of the normals that faces give to each vertex
   size_t smooth_room;
+  uint32_t *face;  // the vertices of the face that is read, and where they are
+  LsysVec3 *place;
+  size_t face_room, place_room;
+  PolygonCutter cutter;
   char *why;
   size_t size;
 } Reader;
@@ -101,29 +105,35 @@ static bool read_reference(char **text, size_t vertices, size_t normals, uint32_
   return true;
 }
 
+// The next vertex of a face, number `count` of it.
+static bool read_corner(Reader *r, char **text, size_t count) {
+  uint32_t vertex, normal;
+  if (!grow(r, &r->face, &r->face_room, count + 1, sizeof *r->face)
+      || !grow(r, &r->place, &r->place_room, count + 1, sizeof *r->place))
+    return false;
+  if (!read_reference(text, r->vertices, r->normals, &vertex, &normal) || !(**text == 0 || strchr(" \t\r\n", **text)))
+    return fail(r, "a face names a vertex or normal that is not there");
+  if (normal) {
+    if (!grow(r, &r->smooth, &r->smooth_room, r->vertices, sizeof *r->smooth)) return false;
+    r->smooth[vertex] = vec_sum(r->smooth[vertex], 1, r->normal[normal - 1], 1);
+  }
+  r->face[count] = vertex;
+  r->place[count] = r->vertex[vertex];
+  return true;
+}
+
 static bool read_face(Reader *r, char *text) {
-  uint32_t vertex[FACE_CORNERS], triangle[3 * FACE_CORNERS], work[FACE_CORNERS], count = 0;
-  LsysVec3 place[FACE_CORNERS];
-  for (;;) {
+  uint32_t count = 0;
+  for (;; count++) {
     text += strspn(text, " \t\r\n");
     if (*text == 0 || *text == '#') break;
-    uint32_t normal;
-    if (count == FACE_CORNERS) return fail(r, "a face has more than 1024 vertices");
-    if (!read_reference(&text, r->vertices, r->normals, &vertex[count], &normal)
-        || !(*text == 0 || strchr(" \t\r\n", *text)))
-      return fail(r, "a face names a vertex or normal that is not there");
-    if (normal) {
-      if (!grow(r, &r->smooth, &r->smooth_room, r->vertices, sizeof *r->smooth)) return false;
-      r->smooth[vertex[count]] = vec_sum(r->smooth[vertex[count]], 1, r->normal[normal - 1], 1);
-    }
-    place[count] = r->vertex[vertex[count]];
-    count++;
+    if (!read_corner(r, &text, count)) return false;
   }
   if (count < 3) return fail(r, "a face needs three vertices");
-  polygon_triangles(place, count, triangle, work);
+  if (!polygon_triangles(&r->cutter, r->place, count)) return fail(r, "out of memory");
   for (uint32_t i = 0; i + 2 < count; i++) {
-    const uint32_t *t = triangle + 3 * i;
-    if (!add_triangle(r, vertex[t[0]], vertex[t[1]], vertex[t[2]])) return false;
+    const uint32_t *t = r->cutter.triangle + 3 * i;
+    if (!add_triangle(r, r->face[t[0]], r->face[t[1]], r->face[t[2]])) return false;
   }
   return true;
 }
@@ -254,6 +264,9 @@ bool lsys_surface_read(const char *path, LsysSurface *surface, char *why, size_t
   fclose(r.file);
   free(r.line);
   free(r.smooth);
+  free(r.face);
+  free(r.place);
+  polygon_cutter_free(&r.cutter);
   if (r.normals != r.vertices) {
     free(r.normal);
     r.normal = NULL;
