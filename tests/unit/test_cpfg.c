@@ -1,62 +1,17 @@
 // test_cpfg.c -- what cpfg's files write differently: macros, lines, keywords, operators.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "parsing.h"
 
-#include <cmocka.h>
-
-#include "frontend/ast.h"
-#include "support/diag.h"
-
-#include <stdlib.h>
-#include <string.h>
-
-typedef struct Result {
-  Arena *arena;
-  Ast *ast;
-  size_t errors;
-  char *messages, *dump;
-} Result;
-
-static Result parse(const char *text) {
-  Result result = {.arena = arena_create()};
-  size_t size;
-  DiagOptions options;
-  diag_options_default(&options);
-  options.colour = COLOUR_NEVER;
-  options.out = open_memstream(&result.messages, &size);
-  Sources *sources = sources_create(result.arena);
-  const SourceFile *file = sources_add(sources, "t.l", text, strlen(text), (Span){0, 0});
-  Diag *diag = diag_create(result.arena, sources, &options);
-  result.ast = parse_file(result.arena, sources, diag, file, &(ParseOptions){.dialect = "cpfg"});
-  result.errors = diag_errors(diag);
-  fclose(options.out);
-  FILE *dump = open_memstream(&result.dump, &size);
-  ast_dump(result.ast, dump);
-  fclose(dump);
-  return result;
-}
-
-static void release(Result *result) {
-  arena_destroy(result->arena);
-  free(result->messages);
-  free(result->dump);
+static Parsed parse(const char *text) {
+  return parse_bytes(parse_file, "t.l", text, strlen(text), &(ParseOptions){.dialect = "cpfg"});
 }
 
 static void reads(const char *text, const char *dump) {
-  Result result = parse(text);
-  assert_string_equal(result.messages, "");
-  assert_string_equal(result.dump, dump);
-  release(&result);
+  parse_reads(parse_file, "t.l", text, &(ParseOptions){.dialect = "cpfg"}, dump);
 }
 
 // There is exactly one error, and its message holds part.
 static void refuses(const char *text, const char *part) {
-  Result result = parse(text);
-  if (result.errors != 1 || !strstr(result.messages, part))
-    fail_msg("expected one error with\n  %s\nfor\n%s\nbut got\n%s", part, text, result.messages);
-  release(&result);
+  parse_says(parse_file, "t.l", text, &(ParseOptions){.dialect = "cpfg"}, 1, part);
 }
 
 static void test_lines(void **state) {
@@ -95,11 +50,11 @@ static void test_expressions(void **state) {
 
 static void test_rules(void **state) {
   (void)state;
-  Result result = parse("Axiom: A");
-  assert_string_equal(result.ast->rules.dialect, "cpfg");
-  assert_true(result.ast->rules.literal_context_brackets && result.ast->rules.unweighted_counts_one
-              && result.ast->rules.last_ignore_counts);
-  release(&result);
+  Parsed parsed = parse("Axiom: A");
+  assert_string_equal(parsed.ast->rules.dialect, "cpfg");
+  assert_true(parsed.ast->rules.literal_context_brackets && parsed.ast->rules.unweighted_counts_one
+              && parsed.ast->rules.last_ignore_counts);
+  parsed_free(&parsed);
 }
 
 static void test_macros(void **state) {
@@ -125,20 +80,20 @@ static void test_macro_scope(void **state) {
 
 static void test_macro_messages(void **state) {
   (void)state;
-  Result result = parse("#define STEP x+\n\nA(x) --> F(1)\n\tG(STEP)\n#define F2(a) a");
-  assert_int_equal(result.errors, 1);
-  assert_string_equal(result.messages, "t.l:4:8: error: unexpected `)`; expected an expression\n"
+  Parsed parsed = parse("#define STEP x+\n\nA(x) --> F(1)\n\tG(STEP)\n#define F2(a) a");
+  assert_int_equal(parsed.errors, 1);
+  assert_string_equal(parsed.messages, "t.l:4:8: error: unexpected `)`; expected an expression\n"
                                        "    4 | \tG(STEP)\n"
                                        "      | \t      ^\n");
-  release(&result);
-  result = parse("#define STEP x+*\nA(x) --> G(STEP)");
-  assert_string_equal(result.messages, "t.l:2:12: error: unexpected `*`; expected an expression\n"
+  parsed_free(&parsed);
+  parsed = parse("#define STEP x+*\nA(x) --> G(STEP)");
+  assert_string_equal(parsed.messages, "t.l:2:12: error: unexpected `*`; expected an expression\n"
                                        "    2 | A(x) --> G(STEP)\n"
                                        "      |            ^~~~\n"
                                        "t.l:1:9: note: from this macro\n"
                                        "    1 | #define STEP x+*\n"
                                        "      |         ^~~~\n");
-  release(&result);
+  parsed_free(&parsed);
   refuses("#define M(a,b) a\nAxiom: A(M(1,2,3))", "macro `M` needs 2 arguments, not 3");
   refuses("#define 3 4", "`#define` needs a name");
   refuses("#define M(a,3) a", "the parameters of a macro are names");

@@ -5,7 +5,7 @@
 #include "lsys/settings.h"
 
 static Parsed parse(const char *text, const char *system) {
-  return parse_bytes(fractint_parse, "test.l", text, strlen(text), system);
+  return parse_bytes(fractint_parse, "test.l", text, strlen(text), &(ParseOptions){.system = system});
 }
 
 static void print_expr(FILE *out, const AstExpr *expr) {
@@ -68,7 +68,7 @@ static void reads_as(const char *text, const char *expected) {
 }
 
 static void says(const char *text, const char *system, size_t errors, const char *message) {
-  parse_says(fractint_parse, "test.l", text, system, errors, message);
+  parse_says(fractint_parse, "test.l", text, &(ParseOptions){.system = system}, errors, message);
 }
 
 // ---- statements ------------------------------------------------------------
@@ -259,7 +259,7 @@ static void many_systems_and_long_rules(void **state) {
   fputs("\n}\n", out);
   for (int i = 0; i < 200000; i++) fputs("a {\n", out);
   fclose(out);
-  Parsed result = parse_bytes(fractint_parse, "test.l", text, size, "long");
+  Parsed result = parse_bytes(fractint_parse, "test.l", text, size, &(ParseOptions){.system = "long"});
   assert_int_equal(result.errors, 0);
   const AstStatement *last = &result.ast->statements.at[result.ast->statements.count - 1];
   assert_int_equal(last->production->successor.modules.count, 1000000);

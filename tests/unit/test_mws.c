@@ -4,7 +4,7 @@
 #include "frontend/mws.h"
 
 static void reads_as(const char *text, const char *expected) {
-  Parsed parsed = parse_bytes(mws_parse, "test.txt", text, strlen(text), NULL);
+  Parsed parsed = parse_bytes(mws_parse, "test.txt", text, strlen(text), &(ParseOptions){0});
   assert_string_equal(parsed.messages, "");
   char *dumped;
   size_t size;
@@ -17,7 +17,7 @@ static void reads_as(const char *text, const char *expected) {
 }
 
 static void says(const char *text, size_t errors, const char *message) {
-  parse_says(mws_parse, "test.txt", text, NULL, errors, message);
+  parse_says(mws_parse, "test.txt", text, &(ParseOptions){0}, errors, message);
 }
 
 #define TURNS "setting turns value clockwise\n"

@@ -1,70 +1,21 @@
 // test_parse.c -- from the text of a grammar to its Ast, which is compared by
 // its dump, and to the messages about it.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "parsing.h"
 
-#include <cmocka.h>
-
-#include "frontend/ast.h"
-#include "support/diag.h"
-
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-typedef struct Result {
-  Arena *arena;
-  Ast *ast;
-  size_t errors;
-  char *messages, *dump;
-} Result;
-
-static Result parse_at(const char *path, const char *text, size_t length, const ParseOptions *parse) {
-  Result result = {.arena = arena_create()};
-  size_t size;
-  DiagOptions options;
-  diag_options_default(&options);
-  options.colour = COLOUR_NEVER;
-  options.out = open_memstream(&result.messages, &size);
-  Sources *sources = sources_create(result.arena);
-  const SourceFile *file = sources_add(sources, path, text, length, (Span){0, 0});
-  Diag *diag = diag_create(result.arena, sources, &options);
-  result.ast = parse_file(result.arena, sources, diag, file, parse);
-  result.errors = diag_errors(diag);
-  fclose(options.out);
-  FILE *dump = open_memstream(&result.dump, &size);
-  ast_dump(result.ast, dump);
-  fclose(dump);
-  return result;
+static Parsed parse(const char *text) {
+  return parse_bytes(parse_file, "t.lsys", text, strlen(text), &(ParseOptions){0});
 }
 
-static Result parse(const char *text) {
-  return parse_at("t.lsys", text, strlen(text), &(ParseOptions){0});
-}
-
-static void release(Result *result) {
-  arena_destroy(result->arena);
-  free(result->messages);
-  free(result->dump);
-}
-
-// The text is read without a message as the statements of dump.
 static void reads(const char *text, const char *dump) {
-  Result result = parse(text);
-  assert_string_equal(result.messages, "");
-  assert_string_equal(result.dump, dump);
-  release(&result);
+  parse_reads(parse_file, "t.lsys", text, &(ParseOptions){0}, dump);
 }
 
 // There is exactly one error, and its message holds part.
 static void refuses(const char *text, const char *part) {
-  Result result = parse(text);
-  if (result.errors != 1 || !strstr(result.messages, part))
-    fail_msg("expected one error with\n  %s\nfor\n%s\nbut got\n%s", part, text, result.messages);
-  release(&result);
+  parse_says(parse_file, "t.lsys", text, &(ParseOptions){0}, 1, part);
 }
 
 // ---- words -------------------------------------------------------------------
@@ -172,15 +123,15 @@ static void test_where_statements_end(void **state) {
 
 static void test_unclosed(void **state) {
   (void)state;
-  Result result = parse("axiom: A(1\nA -> B\nC(x -> D\nStart: { x = 1;\nangle: 3\nE -> F((1)\nsteps: 2");
-  assert_int_equal(result.errors, 4);
-  assert_string_equal(result.dump, "production strict A successor B\nsetting angle value 3\nsetting steps value 2\n");
-  assert_non_null(strstr(result.messages, "t.lsys:1:9: error: `(` is never closed"));
-  assert_non_null(strstr(result.messages, "t.lsys:2:1: note: the statement ends before this line"));
-  assert_non_null(strstr(result.messages, "t.lsys:3:2: error: `(` is never closed"));
-  assert_non_null(strstr(result.messages, "t.lsys:4:8: error: `{` is never closed"));
-  assert_non_null(strstr(result.messages, "t.lsys:6:7: error: `(` is never closed"));
-  release(&result);
+  Parsed parsed = parse("axiom: A(1\nA -> B\nC(x -> D\nStart: { x = 1;\nangle: 3\nE -> F((1)\nsteps: 2");
+  assert_int_equal(parsed.errors, 4);
+  assert_string_equal(parsed.dump, "production strict A successor B\nsetting angle value 3\nsetting steps value 2\n");
+  assert_non_null(strstr(parsed.messages, "t.lsys:1:9: error: `(` is never closed"));
+  assert_non_null(strstr(parsed.messages, "t.lsys:2:1: note: the statement ends before this line"));
+  assert_non_null(strstr(parsed.messages, "t.lsys:3:2: error: `(` is never closed"));
+  assert_non_null(strstr(parsed.messages, "t.lsys:4:8: error: `{` is never closed"));
+  assert_non_null(strstr(parsed.messages, "t.lsys:6:7: error: `(` is never closed"));
+  parsed_free(&parsed);
   refuses("A -> B\n/* no end", "t.lsys:2:1: error: this comment is never closed");
 }
 
@@ -290,41 +241,41 @@ static void test_expression_errors(void **state) {
 
 static void test_lexical_errors(void **state) {
   (void)state;
-  Result result = parse("A -> B\xFF\xFE\x80"
+  Parsed parsed = parse("A -> B\xFF\xFE\x80"
                         "C\xE9(x\xC0)\nw: \x01");
-  assert_int_equal(result.errors, 4);
-  assert_non_null(strstr(result.messages, "t.lsys:1:7: error: byte 0xFF is not valid UTF-8"));
-  assert_non_null(strstr(result.messages, "t.lsys:1:11: error: byte 0xE9 is not valid UTF-8"));
-  assert_non_null(strstr(result.messages, "t.lsys:1:14: error: byte 0xC0 is not valid UTF-8"));
-  assert_non_null(strstr(result.messages, "t.lsys:2:4: error: a control character is no symbol"));
-  release(&result);
+  assert_int_equal(parsed.errors, 4);
+  assert_non_null(strstr(parsed.messages, "t.lsys:1:7: error: byte 0xFF is not valid UTF-8"));
+  assert_non_null(strstr(parsed.messages, "t.lsys:1:11: error: byte 0xE9 is not valid UTF-8"));
+  assert_non_null(strstr(parsed.messages, "t.lsys:1:14: error: byte 0xC0 is not valid UTF-8"));
+  assert_non_null(strstr(parsed.messages, "t.lsys:2:4: error: a control character is no symbol"));
+  parsed_free(&parsed);
 }
 
 static void test_comment_warning(void **state) {
   (void)state;
-  Result result = parse("A -> B // C\nA -> B//\nA -> // B\nA -> B///// C");
-  assert_int_equal(result.errors, 0);
-  assert_non_null(strstr(result.messages, "t.lsys:1:8: warning: `//` is two modules here, not a comment"));
-  assert_non_null(strstr(result.messages, "t.lsys:3:6: warning"));
-  assert_null(strstr(result.messages, "t.lsys:2:"));
-  assert_null(strstr(result.messages, "t.lsys:4:"));
-  release(&result);
+  Parsed parsed = parse("A -> B // C\nA -> B//\nA -> // B\nA -> B///// C");
+  assert_int_equal(parsed.errors, 0);
+  assert_non_null(strstr(parsed.messages, "t.lsys:1:8: warning: `//` is two modules here, not a comment"));
+  assert_non_null(strstr(parsed.messages, "t.lsys:3:6: warning"));
+  assert_null(strstr(parsed.messages, "t.lsys:2:"));
+  assert_null(strstr(parsed.messages, "t.lsys:4:"));
+  parsed_free(&parsed);
 }
 
 static void test_spans(void **state) {
   (void)state;
-  Result result = parse("p1 : A(x) < B > C : x>1 -> D(x) [E] : 2*x  ");
-  const AstProduction *p = result.ast->statements.at[0].production;
+  Parsed parsed = parse("p1 : A(x) < B > C : x>1 -> D(x) [E] : 2*x  ");
+  const AstProduction *p = parsed.ast->statements.at[0].production;
   const Span *spans[] = {&p->label_span,     &p->left.span,    &p->strict.span,
                          &p->right.span,     &p->guard->span,  &p->arrow_span,
-                         &p->successor.span, &p->weight->span, &result.ast->statements.at[0].span};
+                         &p->successor.span, &p->weight->span, &parsed.ast->statements.at[0].span};
   static const char *const texts[] = {"p1", "A(x)", "B", "C", "x>1", "->", "D(x) [E]", "2*x", NULL};
   for (int i = 0; texts[i]; i++) {
     assert_int_equal(spans[i]->end - spans[i]->begin, strlen(texts[i]));
-    assert_memory_equal(result.ast->file->text + spans[i]->begin - result.ast->file->base, texts[i], strlen(texts[i]));
+    assert_memory_equal(parsed.ast->file->text + spans[i]->begin - parsed.ast->file->base, texts[i], strlen(texts[i]));
   }
   assert_int_equal(spans[8]->end - spans[8]->begin, 41);
-  release(&result);
+  parsed_free(&parsed);
 }
 
 // ---- files -------------------------------------------------------------------
@@ -366,29 +317,30 @@ static void test_includes(void **state) {
   static const char text[] = "#include a /* so */\n#include nowhere\nw: A";
   write_file(folder, "main.lsys", text);
   const char *dirs[] = {folder};
-  Result result = parse_at(path, text, strlen(text), &(ParseOptions){.include_dirs = dirs, .include_count = 1});
-  assert_string_equal(result.dump, "production strict A successor B\nproduction strict C successor D\n"
+  Parsed parsed =
+    parse_bytes(parse_file, path, text, strlen(text), &(ParseOptions){.include_dirs = dirs, .include_count = 1});
+  assert_string_equal(parsed.dump, "production strict A successor B\nproduction strict C successor D\n"
                                    "production strict E successor F\naxiom word A\n");
-  assert_int_equal(result.errors, 4);
-  assert_non_null(strstr(result.messages, "`../a` is being read already"));
-  assert_non_null(strstr(result.messages, "in the file included at "));
-  assert_non_null(strstr(result.messages, "cannot find the file `nowhere`"));
-  assert_non_null(strstr(result.messages, "this `#if` has no `#endif`"));
-  assert_non_null(strstr(result.messages, "sub/b:2:6: error: unknown symbol `@`"));
-  release(&result);
+  assert_int_equal(parsed.errors, 4);
+  assert_non_null(strstr(parsed.messages, "`../a` is being read already"));
+  assert_non_null(strstr(parsed.messages, "in the file included at "));
+  assert_non_null(strstr(parsed.messages, "cannot find the file `nowhere`"));
+  assert_non_null(strstr(parsed.messages, "this `#if` has no `#endif`"));
+  assert_non_null(strstr(parsed.messages, "sub/b:2:6: error: unknown symbol `@`"));
+  parsed_free(&parsed);
   snprintf(path, sizeof path, "rm -r %s", folder);
   assert_int_equal(system(path), 0);
 }
 
 static void test_dialects(void **state) {
   (void)state;
-  Result result = parse_at("t.lsys", "A -> B", 6, &(ParseOptions){.dialect = "nonsense"});
-  assert_int_equal(result.errors, 1);
-  assert_non_null(strstr(result.messages, "unknown dialect `nonsense`"));
-  release(&result);
-  result = parse("A -> B");
-  assert_string_equal(result.ast->rules.dialect, "native");
-  release(&result);
+  Parsed parsed = parse_bytes(parse_file, "t.lsys", "A -> B", 6, &(ParseOptions){.dialect = "nonsense"});
+  assert_int_equal(parsed.errors, 1);
+  assert_non_null(strstr(parsed.messages, "unknown dialect `nonsense`"));
+  parsed_free(&parsed);
+  parsed = parse("A -> B");
+  assert_string_equal(parsed.ast->rules.dialect, "native");
+  parsed_free(&parsed);
 }
 
 int main(void) {

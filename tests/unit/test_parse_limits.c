@@ -4,22 +4,11 @@
 #include <time.h>
 
 static Parsed parse(const char *text) {
-  return parse_bytes(parse_file, "t.lsys", text, strlen(text), NULL);
+  return parse_bytes(parse_file, "t.lsys", text, strlen(text), &(ParseOptions){0});
 }
 
 static void refuses(const char *text, const char *message) {
-  parse_says(parse_file, "t.lsys", text, NULL, 1, message);
-}
-
-// text = before, count times repeated, after.
-static char *repeated(const char *before, const char *part, size_t count, const char *after) {
-  size_t length = strlen(part), at = strlen(before);
-  char *text = malloc(at + length * count + strlen(after) + 1);
-  assert_non_null(text);
-  memcpy(text, before, at);
-  for (size_t i = 0; i < count; i++, at += length) memcpy(text + at, part, length);
-  strcpy(text + at, after);
-  return text;
+  parse_says(parse_file, "t.lsys", text, &(ParseOptions){0}, 1, message);
 }
 
 static void test_long_words(void **state) {
