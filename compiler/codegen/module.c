@@ -44,6 +44,7 @@ MIRROR(LsysScan, ahead_known, 8 * SCAN_FRESH + 4);
 MIRROR(LsysScan, passed, 8 * SCAN_FRESH + 8);
 MIRROR(LsysScan, system, 8 * SCAN_FRESH + 12);
 MIRROR(LsysScan, other, 8 * SCAN_FRESH + 16);
+MIRROR(LsysScan, whole, 8 * SCAN_FRESH + 24);
 MIRROR(LsysNeighbour, wrap, 4);
 MIRROR(LsysNeighbour, arg, 8);
 MIRROR(LsysCursor, found, 8 * CURSOR_FOUND);
@@ -85,7 +86,7 @@ static void make_types(IrTypes *t, LLVMContextRef context, bool wide) {
   t->param = MIRROR_TYPE("param", ptr, i32, f64, f64, ptr);
   t->axiom = MIRROR_TYPE("axiom", t->word);
   t->growth = MIRROR_TYPE("growth", ptr, ptr, ptr);
-  t->scan = MIRROR_TYPE("scan", ptr, ptr, ptr, ptr, ptr, ptr, i64, i64, i32, i32, i32, i32, ptr);
+  t->scan = MIRROR_TYPE("scan", ptr, ptr, ptr, ptr, ptr, ptr, i64, i64, i32, i32, i32, i32, ptr, ptr);
   t->neighbour = MIRROR_TYPE("neighbour", i32, i32, ptr);
   t->cursor = MIRROR_TYPE("cursor", ptr, ptr, ptr, ptr, i32, i32);
 }

@@ -45,7 +45,8 @@ static void match_strict(Matcher *m) {
   const Context *strict = &m->production->strict;
   if (strict->count == 1) return;
   LLVMValueRef end = ir_advance(ir, ir->types.symbol, walk->sym, ir_int(ir, strict->count));
-  require(m, LLVMBuildICmp(ir->builder, LLVMIntULE, end, walk->end, ""));
+  LLVMValueRef whole = ir_load(ir, ir->types.ptr, walk->scans[0], ir->types.scan, SCAN_WHOLE);
+  require(m, LLVMBuildICmp(ir->builder, LLVMIntULE, end, whole, ""));
   uint32_t args = ir->program->kinds[strict->at[0].kind].arity;
   for (size_t i = 1; i < strict->count; i++) {
     LLVMValueRef at = ir_advance(ir, ir->types.symbol, walk->sym, ir_int(ir, i));

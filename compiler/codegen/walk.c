@@ -1,7 +1,7 @@
 // walk.c -- a loop over a word whose modules see their neighbours (DESIGN,
 // engine step):
 //
-//   name(scan, out)    goes from scan->sym to scan->end
+//   name(scan, out)    goes from scan->sym to scan->end, or beyond it where a predecessor or a cut does
 //
 // The cursors into the word are variables of the loop; they are stored to the
 // scan where something looks around (lsys/scan.h). Contexts that ignore other
@@ -305,7 +305,7 @@ static void make_room(Rewrite *rewrite, LLVMBasicBlockRef head, LLVMBasicBlockRe
   Ir *ir = rewrite->scope.ir;
   Walk *walk = rewrite->walk;
   LLVMBasicBlockRef more = ir_block(ir, "more"), full = ir_block(ir, "full");
-  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, walk->sym, walk->end, ""), done, more);
+  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntUGE, walk->sym, walk->end, ""), done, more);
   ir_at(ir, more);
   LLVMValueRef n = count_room(rewrite);
   LLVMBuildStore(ir->builder, ir_advance(ir, ir->types.symbol, walk->sym, n), walk->stop);
@@ -353,7 +353,7 @@ static void run_loop(Rewrite *rewrite, Each each) {
     ir_at(ir, refill);
     make_room(rewrite, head, done);
   } else {
-    ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, walk->sym, walk->end, ""), done, body);
+    ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntUGE, walk->sym, walk->end, ""), done, body);
   }
   ir_at(ir, body);
   LLVMValueRef symbol = LLVMBuildLoad2(ir->builder, ir->types.symbol, walk->sym, "symbol");

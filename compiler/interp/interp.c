@@ -172,6 +172,10 @@ static void homomorphism(LsysRun *run, const LsysWord *in, LsysStream *out) {
   Interp *interp = begin(run, &((Pair *)run->grammar->derive_data)->homomorphism);
   boxes_unpack(run, &interp->word, in);
   homomorphism_word(interp);
+  for (size_t i = 0; i < interp->word.count; i++) {
+    Box *box = &interp->word.at[i];
+    box->born = run->birth ? run->birth[box->from] : run->born;
+  }
   boxes_pack(&interp->word, run->grammar, false, out);
 }
 

@@ -78,6 +78,7 @@ void homomorphism_word(Interp *interp) {
   for (size_t i = 0, depth = 0; i < interp->word.count; i++) {
     const Section *section = &interp->systems[system_at(interp, &depth, i)].homomorphism;
     const Links *links = section->contexts ? &section->links : NULL;
+    interp->next.from = i;
     push(interp, &interp->word, i, homomorphism_key(section, interp->word.at[i].key), maximum_depth(interp, section));
     unfold(interp, section, links, i);
   }

@@ -68,7 +68,7 @@ void boxes_pack(const Boxes *word, const LsysGrammar *grammar, bool with_keys, L
     const Box *box = &word->at[i];
     const LsysKind *kind = &grammar->kinds[box->kind];
     bool key = with_keys && kind->flags & LSYS_KIND_KEY;
-    if (with_keys && out->run->births && box->born != out->run->born) {
+    if (out->run->births && box->born != out->run->born) {
       lsys_flush(out);
       out->run->born = box->born;
     }

@@ -11,7 +11,7 @@ typedef struct Box {
   uint32_t depth;  // decomposition and homomorphism: levels left
   uint64_t key;
   size_t args;    // index of its first argument among the word's
-  size_t from;    // during a step: which module of the word before it came from
+  size_t from;    // of rewriting and homomorphism: which module of the word before it came from
   uint64_t born;  // the step in which it was written, where the run wants births
 } Box;
 

@@ -6,7 +6,6 @@
 #include "core/births.h"
 
 #include "core/cut.h"
-#include "core/message.h"
 #include "core/store.h"
 
 #include <string.h>
@@ -25,18 +24,6 @@ struct LsysBirths {
   Level **level;
   size_t depth, open, room;  // open: levels that have a store
 };
-
-bool lsys_births_possible(const LsysGrammar *grammar) {
-  if (!grammar->expand && !grammar->derive) {
-    lsys_error("--colour-by age: a compiled grammar with contexts or state does not tell births; `lsysc interp` does");
-    return false;
-  }
-  if (grammar->flags & LSYS_GRAMMAR_WHOLE) {
-    lsys_error("--colour-by age: a homomorphism with contexts, or of several L-systems, does not keep births");
-    return false;
-  }
-  return true;
-}
 
 static bool collect(LsysSink *sink, const LsysWord *part) {
   LsysBirths *b = (LsysBirths *)sink;
@@ -64,7 +51,7 @@ static Level *push(LsysBirths *b, uint64_t born) {
   return level;
 }
 
-static bool same(const LsysGrammar *grammar, const LsysWord *a, const LsysWord *b) {
+bool lsys_births_same(const LsysGrammar *grammar, const LsysWord *a, const LsysWord *b) {
   return a->nsym == b->nsym && a->narg == b->narg && !memcmp(a->sym, b->sym, a->nsym * lsys_symbol_width(grammar))
       && (!a->narg || !memcmp(a->arg, b->arg, a->narg * sizeof *a->arg));
 }
@@ -95,7 +82,7 @@ static bool derive_one(LsysBirths *b, const Level *from, const LsysWord *module,
   lsys_writer_advance(&b->writer, module, total, left, left - 1);
   b->worker->run.steps = total;
   LsysWord word = lsys_store_word(&level->store);
-  if (same(b->worker->run.grammar, module, &word)) level->born = born;
+  if (lsys_births_same(b->worker->run.grammar, module, &word)) level->born = born;
   lsys_cut_begin(&level->rest, b->worker->run.grammar, &word);
   return true;
 }

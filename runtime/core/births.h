@@ -6,12 +6,17 @@
 
 typedef struct LsysBirths LsysBirths;
 
-// Can births be told of the grammar's words, in what --colour-by age draws? False after printing why not.
-bool lsys_births_possible(const LsysGrammar *grammar);
-
 // Derives the packed word by worker->run.steps steps into sink, in parts as LsysRun.births has them. The grammar has
 // expand. *place holds what is to be closed, also after a longjmp to worker->stop. False after an error.
 bool lsys_births_run(LsysBirths **place, LsysWorker *worker, const LsysWord *word, LsysSink *sink);
 void lsys_births_close(LsysBirths *births);
+
+// The same with the grammar's step, and with its blocks. (births_step.c)
+typedef struct LsysBirthsStep LsysBirthsStep;
+bool lsys_births_step(LsysBirthsStep **place, LsysWorker *worker, const LsysWord *axiom, LsysSink *sink);
+void lsys_births_step_close(LsysBirthsStep *births);
+
+// Whether two words are the same but for their keys: a module that becomes itself alone is not born again.
+bool lsys_births_same(const LsysGrammar *grammar, const LsysWord *a, const LsysWord *b);
 
 #endif

@@ -157,7 +157,6 @@ bool lsys_derivation_open(LsysDerivation *derivation, const LsysGrammar *grammar
   if (range->given && !lsys_range_parse(range, &derivation->range)) return false;
   const LsysOptionValue *by = &options->at[LSYS_OPTION_COLOUR_BY];
   run->births = by->given && strcmp(by->text, "age") == 0;
-  if (run->births && !lsys_births_possible(grammar)) return false;
   run->root = lsys_root(seed->given ? seed->whole : grammar->seed);
   if (!choose_threads(derivation, options)) return false;
   run->threads = derivation->threads;
@@ -235,6 +234,7 @@ typedef struct Task {
   LsysWindow window;  // --range: in front of the sink
   LsysDescent *descent;
   LsysBirths *births;
+  LsysBirthsStep *births_step;
   bool well;
 } Task;
 
@@ -248,7 +248,9 @@ static bool derive(Task *task) {
     if (!pack_axiom(task->worker, task->axiom, &task->word)) return false;
     run->born = 0;
     if (run->steps == 0 && !grammar->block) return task->sink->take(task->sink, &task->word);
-    if (!task->derivation->expands && !run->births)
+    if (!task->derivation->expands && run->births)
+      return lsys_births_step(&task->births_step, task->worker, &task->word, task->sink);
+    if (!task->derivation->expands)
       return lsys_stepper_run(&task->stepper, task->worker, &task->word, task->sink, task->derivation->threads,
                               task->derivation->stretch);
   }
@@ -299,6 +301,7 @@ bool lsys_derivation_run(LsysDerivation *derivation, uint32_t axiom, LsysSink *s
   lsys_parallel_close(task.parallel);
   lsys_descent_close(task.descent);
   lsys_births_close(task.births);
+  lsys_births_step_close(task.births_step);
   if (task.writer.stream.run) lsys_writer_close(&task.writer);
   lsys_stepper_close(&task.stepper);
   free_axiom(derivation->worker.memory, &task.word);

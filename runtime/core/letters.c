@@ -130,14 +130,17 @@ static uint8_t *write_some(uint8_t *out, const uint8_t *code, size_t n, Place *p
 
 void lsys_step_letters(LsysScan *scan, LsysStream *out, const LsysLetters *letters) {
   const uint8_t *code = codes(scan, letters), *end = code + (scan->end - scan->sym);
+  size_t most = scan->lengths ? 1 : BLOCK;
   Place place = begin_left(scan, letters->left);
   while (code < end) {
     if (out->sym_limit - out->sym < LSYS_LETTERS_ROOM((ptrdiff_t)letters->longest)) lsys_flush(out);
     size_t n = (size_t)(end - code), room = ((size_t)(out->sym_limit - out->sym) - letters->width) / letters->longest;
     n = n < room ? n : room;
-    n = n < BLOCK ? n : BLOCK;
+    n = n < most ? n : most;
     if (letters->nested) make_room(scan, &place, n);
-    out->sym = write_some(out->sym, code, n, &place, letters);
+    uint8_t *behind = write_some(out->sym, code, n, &place, letters);
+    if (scan->lengths) *scan->lengths++ = (uint64_t)(behind - out->sym);
+    out->sym = behind;
     code += n;
   }
   scan->sym = scan->end;

@@ -191,7 +191,7 @@ void lsys_scan_leave(LsysScan *scan) {
 void lsys_cut(LsysScan *scan) {
   const LsysKind *kinds = scan->run->grammar->kinds;
   size_t depth = 0;
-  for (; scan->sym < scan->end; scan->sym += 1 + scan->wide) {
+  for (; scan->sym < scan->whole; scan->sym += 1 + scan->wide) {
     uint32_t kind = symbol(scan->sym, scan->wide), class = scan->context_class[kind];
     if (class == LSYS_CLASS_CLOSE && depth-- == 0) return;
     if (class == LSYS_CLASS_OPEN) {
@@ -313,6 +313,7 @@ void scan_start(LsysScan *scan, const ScanTables *tables, const LsysContextView 
   const LsysGrammar *grammar = tables->grammar;
   *scan = (LsysScan){.sym = segments[0].sym,
                      .end = segments[0].end,
+                     .whole = segments[0].end,
                      .arg = segments[0].arg,
                      .key = segments[0].key,
                      .left = left,
@@ -341,7 +342,7 @@ void scan_start(LsysScan *scan, const ScanTables *tables, const LsysContextView 
 void scan_enter(LsysScan *scan, uint32_t segment, const ScanBorder *border) {
   const LsysSegment *from = &scan->segments[segment];
   scan->sym = from->sym;
-  scan->end = from->end;
+  scan->end = scan->whole = from->end;
   scan->arg = from->arg;
   scan->key = from->key;
   scan->segment = segment;

@@ -29,12 +29,15 @@ typedef struct Collector {
   Arena *arena;
   VEC(uint8_t) sym;
   VEC(double) arg;
+  VEC(uint64_t) born;  // of each module, where births are asked for
+  const LsysRun *run;
   unsigned width;
   Lengths lengths;
 } Collector;
 
 static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
   (void)axiom, (void)pass;
+  ((Collector *)sink)->run = run;
   ((Collector *)sink)->width = run->grammar->flags & LSYS_GRAMMAR_WIDE ? 2 : 1;
   return true;
 }
@@ -43,6 +46,7 @@ static bool take(LsysSink *sink, const LsysWord *part) {
   Collector *to = (Collector *)sink;
   for (uint64_t i = 0; i < part->nsym * to->width; i++) *VEC_PUSH(to->arena, &to->sym) = part->sym[i];
   for (uint64_t i = 0; i < part->narg; i++) *VEC_PUSH(to->arena, &to->arg) = part->arg[i];
+  for (uint64_t i = 0; to->run->births && i < part->nsym; i++) *VEC_PUSH(to->arena, &to->born) = to->run->born;
   return true;
 }
 
@@ -240,6 +244,41 @@ static bool same_in_stretches(const LsysGrammar *grammar, Arena *arena, const Co
   return true;
 }
 
+// ---- births ---------------------------------------------------------------------
+
+// The word as it is shown, and the step in which each of its modules was born.
+static bool derive_births(const LsysGrammar *grammar, bool step, Collector *into) {
+  LsysOptions options = {0};
+  options.at[LSYS_OPTION_COLOUR_BY] = (LsysOptionValue){.given = true, .text = "age"};
+  if (step) options.at[LSYS_OPTION_ENGINE] = (LsysOptionValue){.given = true, .text = "step"};
+  LsysMemory memory = {.limit = UINT64_C(1) << 31};
+  LsysSinkContext context = {.grammar = grammar, .options = &options, .memory = &memory};
+  LsysSink *sink = &into->sink;
+  if (grammar->flags & LSYS_GRAMMAR_HOMOMORPHISM) sink = lsys_sink_homomorphism(&context, sink);
+  return sink && derive_into(grammar, &options, &memory, sink, 0);
+}
+
+static bool same_births(const Collector *a, const Collector *b, const char *who) {
+  if (!same_word(a, b, who)) return false;
+  for (size_t i = 0; i < a->born.count && i < b->born.count; i++)
+    if (a->born.at[i] != b->born.at[i]) {
+      fprintf(stderr, "%s: module %zu was born in step %" PRIu64 " in place of %" PRIu64 "\n", who, i, b->born.at[i],
+              a->born.at[i]);
+      return false;
+    }
+  return a->born.count == b->born.count;
+}
+
+static bool births_agree(const Compilation *c, const LsysGrammar *compiled) {
+  LsysGrammar *interpreted = interp_grammar(c->arena, c->program, c->description);
+  Collector reference = collector(c->arena), engine = collector(c->arena), step = collector(c->arena);
+  bool well = derive_births(interpreted, false, &reference) && derive_births(compiled, false, &engine)
+           && same_births(&reference, &engine, "births");
+  interp_release(interpreted);
+  if (!well || !compiled->expand || !compiled->step) return well;
+  return derive_births(compiled, true, &step) && same_births(&reference, &step, "births of the step engine");
+}
+
 // ---- compiled code --------------------------------------------------------------
 
 static Verdict compare_jit(const Engines *engines, const Compilation *c, const Collector *word, uint64_t long_steps) {
@@ -251,7 +290,7 @@ static Verdict compare_jit(const Engines *engines, const Compilation *c, const C
   Collector other = collector(c->arena);
   const LsysGrammar *grammar = engines->backend->jit_grammar(jit);
   bool well = derive(grammar, &other) && same_word(word, &other, "jit");
-  well = well && same_in_stretches(grammar, c->arena, &other);
+  well = well && same_in_stretches(grammar, c->arena, &other) && births_agree(c, grammar);
   if (well && long_steps) well = same_on_threads(grammar, long_steps);
   engines->backend->jit_free(jit);
   return well ? VERDICT_AGREE : VERDICT_DIFFER;

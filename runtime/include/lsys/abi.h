@@ -24,7 +24,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define LSYS_ABI_VERSION 4u
+#define LSYS_ABI_VERSION 5u
 
 #define LSYS_FAR (UINT64_C(1) << 62)  // more steps than any derivation has; see expand
 
@@ -89,6 +89,7 @@ struct LsysRun {
   // `born`: 0 in the start word, n in the n-th step. A module that a step turns into itself alone is not born again.
   bool births;
   uint64_t born;
+  const uint64_t *birth;  // of each module, in place of `born`, where `homomorphism` takes a whole word; else NULL
 
   struct LsysMemory *memory;  // the run time's account of what is held; NULL: none is kept
   uint32_t threads;           // that may work for what reads the word; 0: one

@@ -77,6 +77,7 @@ struct LsysScan {
                          //   beyond passed
   uint32_t system;       // the L-system around the module (LANGUAGE.md, sub-L-systems)
   LsysScan *other;       // the same word as the next view sees it; NULL: none
+  const uint8_t *whole;  // the end of the segment, up to which predecessors and cuts may reach beyond `end`
 
   // The run time's own.
   uint32_t window;
@@ -101,6 +102,7 @@ struct LsysScan {
   uint32_t behind_kind;    //   the next seen module behind the segment,
   const uint32_t *behind;  //   and behind branches that it leaves open, innermost last
   size_t behind_depth;
+  uint64_t *lengths;  //   and where to tell what length each module of the segment became; NULL: nowhere
 };
 
 // At the beginning of a seen module's rewriting, compiled code sets ahead_known = 0 and, in a ring, counts the module
@@ -134,8 +136,7 @@ bool lsys_branch(const LsysScan *scan, LsysCursor *cursor, LsysCursor *inside);
 // Does a `]` follow on the axis, behind nothing but ignored modules and branches?
 bool lsys_closes(const LsysScan *scan, const LsysCursor *cursor);
 
-// Moves scan->sym, arg, key to the `]` that ends the branch (or the end of the word): the cut `%`. The
-// scan must cover the whole word.
+// Moves scan->sym, arg, key to the `]` that ends the branch (or scan->whole, the end of the word): the cut `%`.
 void lsys_cut(LsysScan *scan);
 
 // ---- words of letters --------------------------------------------------------

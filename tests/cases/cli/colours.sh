@@ -16,11 +16,24 @@ for steps in 0 1 3; do
   ./age -n $steps --colour-by age --palette red,green,blue,white -o one.svg && colours < one.svg
   lsysc interp age.lsys -n $steps --colour-by age --palette red,green,blue,white -o two.svg && cmp one.svg two.svg
 done
-printf 'axiom: AF\nF < A --> F\nA > F --> A\ndecomposition\nF --> FF\n' > context.lsys
-lsysc run context.lsys -n 2 --colour-by age --format svg
-lsysc interp context.lsys -n 2 --colour-by age --format svg | colours
-printf 'axiom: AB\nA --> AB\ninterpretation\nA > B --> F\n' > looks.lsys
-lsysc interp looks.lsys -n 2 --colour-by age --format svg
+# Whatever the grammar, and the engine: contexts, letters alone, decomposition, state, rings, predecessors of several
+# modules, the cut, sub-L-systems, and homomorphism that sees neighbours.
+printf 'axiom: A(1)F(1)\nF(x) < A(y) --> F(x)\nA(x) > F(y) --> A(x+1)F(y)\n' > context.lsys
+printf 'axiom: FfFf\nf < F --> fF\nF > f --> F\nf --> F\n' > letters.lsys
+printf 'axiom: AF\nF < A --> F\nA > F --> AFF\ndecomposition\nF --> G\n' > decomposed.lsys
+printf 'axiom: F\nStart: { n = 0; }\nF : { n = n + 1; } n %% 2 == 1 --> FFG\ndecomposition\nG --> F\n' > state.lsys
+printf 'axiom: FFGG\nring lsystem\nG < F --> F\nF < G --> FF\n' > ring.lsys
+printf 'axiom: FGFGF\nF G --> GFF\n' > pseudo.lsys
+printf 'axiom: F[FG%%F]F[FFH]\nG --> F\nH --> %%FG\nF --> F\n' > cut.lsys
+printf 'lsystem: 1\naxiom: F?(2)FF$F\nF --> FG\nG --> F\nendlsystem\nlsystem: 2\nF --> GG\nendlsystem\n' > systems.lsys
+printf 'axiom: FA\nF --> FB\nA < A --> A\nA --> AA\ninterpretation\nF < B --> F+F\nA --> F\n' > looks.lsys
+for grammar in context letters decomposed state ring pseudo cut systems looks; do
+  lsysc interp $grammar.lsys -n 3 --colour-by age --format json > one.json || continue
+  for options in '' '--threads 3' '--engine step'; do
+    lsysc run $grammar.lsys -n 3 --colour-by age $options --format json > two.json && cmp one.json two.json
+  done
+  echo $grammar: $(grep '^\[' one.json | grep -o '[0-9]*\]' | tr -d ']')
+done
 ./age -n 3 --colour-by age --shared -o shared.svg
 # JSON has the index of each segment's colour, and by age the step of birth as the last number.
 for by in pen order kind age; do ./age -n 3 --colour-by $by --format json | grep '^\[' | cut -d, -f8- | tr '\n' ' ' && echo; done
