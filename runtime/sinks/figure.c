@@ -2,8 +2,8 @@
 // growth matrix, the figure by composing its parts over (kind, step).
 //
 // Numbers beyond 2^53 are rounded. The rows are those of stats.c that can be told so: segments, polygons, length,
-// low, high (of figures in the page; where turns are no whole parts of a circle
-// the box is a little larger than the figure) and end.
+// low, high (of figures in the page, where turns are no whole parts of a circle a little larger than the figure; in
+// space of those that turn by right angles) and end.
 #include "sinks/figure.h"
 
 #include "core/growth.h"
@@ -11,8 +11,7 @@
 #include "lsys/number.h"
 #include "sinks/stats.h"
 #include "turtle/parts.h"
-
-#include <math.h>
+#include "turtle/vector.h"
 
 static void print_number(LsysOut *out, const char *name, double number) {
   char text[LSYS_NUMBER_SIZE];
@@ -23,14 +22,14 @@ static bool print_figure(LsysParts *parts, uint32_t axiom, LsysOut *out) {
   LsysPose start;
   LsysPart whole;
   if (!lsys_parts_figure(parts, axiom, &start, &whole)) return false;
-  const uint32_t n = parts->directions;
-  const double *support = whole.support;
+  LsysVec3 low, high;
   print_number(out, "segments", whole.segments);
   print_number(out, "polygons", whole.polygons);
   print_number(out, "length", whole.length);
-  if (n && support[0] > -INFINITY) {
-    lsys_stats_point(out, "low", (LsysVec3){0 - support[n / 2], 0 - support[3 * n / 4], 0});
-    lsys_stats_point(out, "high", (LsysVec3){support[0], support[n / 4], 0});
+  if (lsys_support_box(&parts->directions, whole.support, &low, &high) && isfinite(vec_reach(low))
+      && isfinite(vec_reach(high))) {
+    lsys_stats_point(out, "low", low);
+    lsys_stats_point(out, "high", high);
   }
   return lsys_stats_point(out, "end", whole.exit.at);
 }

@@ -9,7 +9,7 @@
 static bool write_svg(LsysDerivation *d, LsysParts *parts, const LsysOptions *options, LsysOut *out) {
   LsysPictureOptions picture;
   if (!lsys_picture_options(options, d->worker.run.grammar, &picture)) return false;
-  if (parts->flat) return lsys_shared_svg(parts, d->first_axiom, d->axiom_end, &picture, out);
+  if (parts->directions.flat) return lsys_shared_svg(parts, d->first_axiom, d->axiom_end, &picture, out);
   lsys_error("--shared: a figure in space has no shared parts as SVG; write a .glb");
   return false;
 }

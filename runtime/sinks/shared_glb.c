@@ -441,7 +441,7 @@ static void choose_looks(Glb *g, const LsysModelOptions *options) {
     bool colours = op == LSYS_TURTLE_COLOUR_NEXT || op == LSYS_TURTLE_COLOUR_UP || op == LSYS_TURTLE_COLOUR_DOWN;
     g->absolute |= colours && grammar->kinds[i].arity > 0;
   }
-  g->sides = options->sides ? options->sides : g->parts->flat ? 1 : 6;
+  g->sides = options->sides ? options->sides : g->parts->directions.flat ? 1 : 6;
 }
 
 static bool write_figures(Glb *g, uint32_t first, uint32_t end) {

@@ -117,10 +117,8 @@ static bool ball(LsysGeometry *to, const LsysVec3 *centre, double diameter, bool
 }
 
 static bool draws(const LsysParts *parts, const LsysPart *part) {
-  for (uint32_t i = 0; i < parts->directions; i++) {
-    if (part->support[i] > -INFINITY) return true;
-  }
-  return false;
+  LsysVec3 low, high;
+  return lsys_support_box(&parts->directions, part->support, &low, &high);
 }
 
 static bool child(void *data, uint32_t kind, uint64_t steps, const LsysPose *pose) {
@@ -138,14 +136,11 @@ static bool child(void *data, uint32_t kind, uint64_t steps, const LsysPose *pos
 static bool measure(Svg *s, uint32_t axiom, LsysPose *start) {
   LsysPart whole;
   if (!lsys_parts_figure(s->parts, axiom, start, &whole)) return false;
-  if (!draws(s->parts, &whole)) return true;
-  const uint32_t n = s->parts->directions;
   LsysMeasure m = {.segments = whole.segments < 1e18 ? (uint64_t)whole.segments : UINT64_C(1000000000000000000),
                    .length = whole.segments < 1e18 ? whole.length : whole.length / whole.segments * 1e18,
-                   .low = {-whole.support[n / 2], -whole.support[3 * n / 4], 0},
-                   .high = {whole.support[0], whole.support[n / 4], 0},
                    .thinnest = start->width,
                    .thickest = start->width};
+  if (!lsys_support_box(&s->parts->directions, whole.support, &m.low, &m.high)) return true;
   m.odd = !isfinite(m.low.x + m.low.y + m.high.x + m.high.y);
   return lsys_layout_add(&s->layout, axiom, &m);
 }

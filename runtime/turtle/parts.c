@@ -10,13 +10,11 @@
 #include "core/message.h"
 #include "turtle/vector.h"
 
-#include "lsys/functions.h"
-
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_STEPS = 100000, MOST_DIRECTIONS = 4096, SOME_DIRECTIONS = 720, MOST_REALS = 1 << 27 };
+enum { MOST_STEPS = 100000, MOST_REALS = 1 << 27 };
 
 // ---- which figures have parts --------------------------------------------
 
@@ -195,17 +193,13 @@ typedef struct Gather {
   LsysPart *part;
 } Gather;
 
-static void reach(const Gather *g, LsysVec3 p) {
-  const LsysParts *parts = g->parts;
-  for (uint32_t i = 0; i < parts->directions; i++) {
-    double far = vec_dot(p, parts->direction[i]);
-    if (far > g->part->support[i]) g->part->support[i] = far;
-  }
+static void add(const Gather *g, LsysVec3 centre, double radius) {
+  lsys_support_add(&g->parts->directions, g->part->support, centre, radius);
 }
 
 static bool gather_strokes(LsysGeometry *to, const LsysStrokes *batch) {
   const Gather *g = (const Gather *)to;
-  for (size_t i = 0; i < batch->points; i++) reach(g, batch->point[i]);
+  for (size_t i = 0; i < batch->points; i++) add(g, batch->point[i], 0);
   for (size_t i = 0; i < batch->count; i++) {
     const LsysStroke *s = &batch->stroke[i];
     const LsysVec3 *p = batch->point + s->first;
@@ -218,7 +212,7 @@ static bool gather_strokes(LsysGeometry *to, const LsysStrokes *batch) {
 static bool gather_polygon(LsysGeometry *to, const LsysVec3 *vertices, size_t count, const LsysPen *pen) {
   const Gather *g = (const Gather *)to;
   (void)pen;
-  for (size_t i = 0; i < count; i++) reach(g, vertices[i]);
+  for (size_t i = 0; i < count; i++) add(g, vertices[i], 0);
   g->part->polygons++;
   return true;
 }
@@ -227,34 +221,8 @@ static bool gather_ball(LsysGeometry *to, const LsysVec3 *centre, double diamete
   const Gather *g = (const Gather *)to;
   (void)disc;
   (void)pen;
-  for (uint32_t i = 0; i < g->parts->directions; i++) {
-    double far = vec_dot(*centre, g->parts->direction[i]) + diameter / 2;
-    if (far > g->part->support[i]) g->part->support[i] = far;
-  }
+  add(g, *centre, diameter / 2);
   return true;
-}
-
-static double larger(double a, double b) {
-  return a > b ? a : b;
-}
-
-// Turned by whole directions the child's support is exact; in between, the corner of the two half-planes beside it is
-// taken, which is a little farther.
-static void reach_child(const LsysParts *parts, LsysPart *part, const LsysPart *child, const LsysPose *pose) {
-  const uint32_t n = parts->directions;
-  double turned = atan2(-pose->h.x, pose->h.y) * (n / (2 * 3.14159265358979323846)), whole = floor(turned + 1e-6);
-  bool exact = fabs(turned - rint(turned)) < 1e-6;
-  double slack = 1 / lsys_cos(180.0 / n);
-  for (uint32_t i = 0; i < n; i++) {
-    double at = vec_dot(pose->at, parts->direction[i]);
-    uint32_t from = (uint32_t)fmod(i + 2.0 * n - fmod(whole, n), n);
-    double far = child->support[from];
-    if (!exact) {
-      double other = child->support[(from + n - 1) % n];
-      far = larger(larger(far, other), larger(far, other) * slack);
-    }
-    if (at + far > part->support[i]) part->support[i] = at + far;
-  }
 }
 
 static bool gather_child(void *data, uint32_t kind, uint64_t steps, const LsysPose *pose) {
@@ -263,7 +231,7 @@ static bool gather_child(void *data, uint32_t kind, uint64_t steps, const LsysPo
   g->part->segments += child->segments;
   g->part->length += child->length;
   g->part->polygons += child->polygons;
-  if (g->parts->directions) reach_child(g->parts, g->part, child, pose);
+  lsys_support_add_part(&g->parts->directions, g->part->support, child->support, pose);
   return true;
 }
 
@@ -282,7 +250,7 @@ static bool compose(LsysParts *parts, uint32_t kind, uint64_t steps) {
   if (steps) word = lsys_parts_word(parts, kind);
   uint64_t left = steps ? steps - 1 : 0;
   LsysPart *part = &parts->part[steps * parts->kinds + kind];
-  for (uint32_t i = 0; i < parts->directions; i++) part->support[i] = -INFINITY;
+  lsys_support_clear(&parts->directions, part->support);
   Gather gather = {{gather_strokes, gather_polygon, NULL, gather_ball, NULL}, parts, part};
   LsysPose pose = lsys_pose_origin(1, 0), other = lsys_pose_origin(2, 1);
   LsysGeometry nothing = {0};
@@ -309,7 +277,7 @@ static bool compose_all(LsysParts *parts) {
 
 bool lsys_parts_figure(LsysParts *parts, uint32_t axiom, LsysPose *start, LsysPart *whole) {
   *whole = (LsysPart){.support = parts->whole};
-  for (uint32_t i = 0; i < parts->directions; i++) parts->whole[i] = -INFINITY;
+  lsys_support_clear(&parts->directions, parts->whole);
   Gather gather = {{gather_strokes, gather_polygon, NULL, gather_ball, NULL}, parts, whole};
   const LsysWalk walk = {&gather.geometry, gather_child, &gather};
   lsys_parts_begin(parts, &walk);
@@ -319,45 +287,25 @@ bool lsys_parts_figure(LsysParts *parts, uint32_t axiom, LsysPose *start, LsysPa
   return true;
 }
 
-static uint32_t divisor(uint32_t a, uint32_t b) {
-  return b ? divisor(b, a % b) : a;
-}
-
-// As many directions as turns lead to, and the page's own four.
-static uint32_t choose_directions(const LsysParts *parts) {
-  if (!parts->flat) return 0;
-  double angle = fabs(parts->run->value[LSYS_SETTING_ANGLE]);
-  for (uint32_t n = 1; n <= MOST_DIRECTIONS; n++) {
-    double turns = angle * n / 360;
-    if (fabs(turns - rint(turns)) > 1e-12 * (1 + turns)) continue;
-    uint32_t common = n / divisor(n, 4) * 4;
-    return common <= MOST_DIRECTIONS ? common : SOME_DIRECTIONS;
-  }
-  return SOME_DIRECTIONS;
-}
-
 static bool allocate(LsysParts *parts) {
   size_t count, reals;
   if (__builtin_mul_overflow((size_t)parts->steps + 1, parts->kinds, &count)
-      || __builtin_mul_overflow(count, (size_t)parts->directions, &reals) || count > SIZE_MAX / sizeof(LsysPart)
+      || __builtin_mul_overflow(count, (size_t)parts->directions.count, &reals) || count > SIZE_MAX / sizeof(LsysPart)
       || reals > MOST_REALS) {
     lsys_error("the figure has too many parts: %u kinds of modules in %" PRIu64 " steps", parts->kinds, parts->steps);
     return false;
   }
   LsysMemory *memory = parts->run->memory;
-  const size_t directions = (size_t)parts->directions + 1;
+  const size_t directions = (size_t)parts->directions.count + 1;
   parts->parts = count;
   parts->part = lsys_memory_alloc(memory, count, sizeof *parts->part);
   if (parts->part) parts->support = lsys_memory_alloc(memory, reals + 1, sizeof *parts->support);
-  if (parts->support) parts->direction = lsys_memory_alloc(memory, directions, sizeof *parts->direction);
-  if (parts->direction) parts->whole = lsys_memory_alloc(memory, directions, sizeof *parts->whole);
-  for (size_t i = 0; parts->part && parts->support && i < count; i++)
-    parts->part[i].support = parts->support + i * parts->directions;
-  for (uint32_t i = 0; parts->direction && i < parts->directions; i++) {
-    double degrees = i * 360.0 / parts->directions;
-    parts->direction[i] = (LsysVec3){lsys_cos(degrees), lsys_sin(degrees), 0};
-  }
-  return parts->part && parts->support && parts->whole && parts->direction;
+  if (parts->support) parts->directions.unit = lsys_memory_alloc(memory, directions, sizeof *parts->directions.unit);
+  if (parts->directions.unit) parts->whole = lsys_memory_alloc(memory, directions, sizeof *parts->whole);
+  if (!parts->whole) return false;
+  for (size_t i = 0; i < count; i++) parts->part[i].support = parts->support + i * parts->directions.count;
+  lsys_directions_fill(&parts->directions);
+  return true;
 }
 
 const char *lsys_parts_create(LsysParts *parts, const LsysRun *run) {
@@ -366,9 +314,9 @@ const char *lsys_parts_create(LsysParts *parts, const LsysRun *run) {
   if (why) return why;
   parts->turtle = lsys_turtle_create(run);
   if (!parts->turtle) return "";
-  parts->flat = lsys_turtle_flat(parts->turtle);
+  parts->directions.flat = lsys_turtle_flat(parts->turtle);
   lsys_turtle_free(parts->turtle);
-  parts->directions = choose_directions(parts);
+  parts->directions.count = lsys_directions_needed(run->value[LSYS_SETTING_ANGLE], parts->directions.flat);
   if (!allocate(parts)) {
     lsys_parts_destroy(parts);
     return "";
@@ -381,10 +329,10 @@ const char *lsys_parts_create(LsysParts *parts, const LsysRun *run) {
 void lsys_parts_destroy(LsysParts *parts) {
   lsys_turtle_destroy(parts->turtle);
   LsysMemory *memory = parts->run->memory;
-  const size_t directions = (size_t)parts->directions + 1;
+  const size_t directions = (size_t)parts->directions.count + 1;
   lsys_memory_free(memory, parts->part, parts->parts, sizeof *parts->part);
-  lsys_memory_free(memory, parts->support, parts->parts * parts->directions + 1, sizeof *parts->support);
+  lsys_memory_free(memory, parts->support, parts->parts * parts->directions.count + 1, sizeof *parts->support);
   lsys_memory_free(memory, parts->whole, directions, sizeof *parts->whole);
-  lsys_memory_free(memory, parts->direction, directions, sizeof *parts->direction);
+  lsys_memory_free(memory, parts->directions.unit, directions, sizeof *parts->directions.unit);
   *parts = (LsysParts){0};
 }

@@ -8,7 +8,7 @@
 #ifndef LSYS_TURTLE_PARTS_H
 #define LSYS_TURTLE_PARTS_H
 
-#include "turtle/turtle.h"
+#include "turtle/support.h"
 
 // What drawing a part does to the turtle, whose pose before it is the origin, H up the page.
 typedef struct LsysPart {
@@ -17,7 +17,7 @@ typedef struct LsysPart {
   bool sets_colour;
   double segments, length;  // in all; beyond 2^53 rounded
   double polygons;
-  double *support;  // of a flat figure: how far it reaches in each direction, -inf if it draws nothing
+  double *support;  // in each direction (support.h)
 } LsysPart;
 
 typedef struct LsysParts {
@@ -27,11 +27,9 @@ typedef struct LsysParts {
   uint32_t kinds;
   LsysPart *part;  // [steps * kinds + kind]
   size_t parts;
-  bool flat;            // everything stays in the page
-  double *whole;        // support of a figure
-  LsysVec3 *direction;  // unit, of support
-  uint32_t directions;  // of support, counter-clockwise from +x; 0 where the figure is not flat
-  double *support;
+  LsysDirections directions;  // flat: everything stays in the page
+  double *whole;              // support of a figure
+  double *support;            // of all parts
 } LsysParts;
 
 // Makes the parts of every kind with up to run->steps steps. Requires the run's blocks. NULL if that worked; else
