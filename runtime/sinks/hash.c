@@ -12,6 +12,10 @@
 
 enum { BLOCK = 1 << 16, NAN_PIECE = 512 };
 
+// Bits of doubles.
+#define INFINITE UINT64_C(0x7ff0000000000000)
+#define CANONICAL UINT64_C(0x7ff8000000000000)
+
 typedef struct HashSink {
   LsysSink sink;
   const LsysGrammar *grammar;
@@ -43,25 +47,23 @@ static void close_block(HashSink *hash) {
   hash->in_block = 0;
 }
 
-static bool has_nan(const double *arg, uint64_t count) {
-  int found = 0;
-  for (uint64_t i = 0; i < count; i++) found |= arg[i] != arg[i];
-  return found;
+// The bits of nans are all the same one's. Arrays of this size, aligned, are what the compiler makes vectors of.
+static void make_canonical(uint64_t bits[static NAN_PIECE]) {
+  uint64_t found = 0;
+  for (int i = 0; i < NAN_PIECE; i++) found |= (bits[i] & INT64_MAX) + INT64_MAX - INFINITE;
+  if (found >> 63 == 0) return;
+  for (int i = 0; i < NAN_PIECE; i++)
+    if ((bits[i] & INT64_MAX) > INFINITE) bits[i] = CANONICAL;
 }
 
 // Every nan is hashed as the same one.
 static void add_arguments(HashSink *hash, const double *arg, uint64_t count) {
+  uint64_t bits[NAN_PIECE] = {0};
   while (count) {
     uint64_t n = count < NAN_PIECE ? count : NAN_PIECE;
-    if (has_nan(arg, n)) {
-      uint64_t canonical[NAN_PIECE];
-      memcpy(canonical, arg, n * sizeof *arg);
-      for (uint64_t i = 0; i < n; i++)
-        if (arg[i] != arg[i]) canonical[i] = UINT64_C(0x7ff8000000000000);
-      XXH3_64bits_update(hash->arguments, canonical, n * sizeof *canonical);
-    } else {
-      XXH3_64bits_update(hash->arguments, arg, n * sizeof *arg);
-    }
+    memcpy(bits, arg, n * sizeof *arg);
+    make_canonical(bits);
+    XXH3_64bits_update(hash->arguments, bits, n * sizeof *bits);
     arg += n;
     count -= n;
   }
