@@ -6,9 +6,9 @@
 #include "core/store.h"
 
 enum {
-  SAMPLE = 32,             // modules,
-  STRIDE = 16,             //   each the first of so many
-  WORTH = 1 << 11,         // weight that a module has to become
+  SAMPLE = 64,             // modules,
+  STRIDE = 17,             //   each the first of so many: a prime, as words repeat themselves
+  WORTH = 1 << 9,          // weight that a module has to become; little of a stretch, so that stretches weigh the same
   STRETCH = 3 << 14,       // weight of a stretch: less than what a task may be ahead (parallel.c)
   MOST_STEPS = 1 << 16,    // beyond, words are chains, and sampling takes longer than deriving
   REFERENCE_DIVISOR = 16,  // a module of a block costs its reader this much less than one that was written
