@@ -45,22 +45,67 @@ static const char *quotable(Parser *parser, const Statement *s, Span span) {
   return length < LONGEST ? word : arena_printf(parser->build.arena, "%s...", word);
 }
 
+static const char comments[] = "a comment is written `// ...` or `/* ... */`";
+
 static void unknown_directive(Parser *parser, const Statement *s) {
   Span span = first_words(s);
   const char *word = quotable(parser, s, span);
   const char *nearest = keyword_nearest(parser->build.arena, word);
   diag_error(parser->diag, span, "unknown directive `%s`%s%s%s", word, nearest ? "; did you mean `" : "",
              nearest ? nearest : "", nearest ? "`?" : "");
+  if (!nearest) diag_hint(parser->diag, comments);
+}
+
+// What other programs call a statement; NULL: nothing known.
+static const char *foreign_hint(const char *word) {
+  static const struct {
+    const char *words, *hint;
+  } foreign[] = {
+    {" start init initial initiator ", "the start word is given by `axiom:`"},
+    {" n order level levels generation generations iteration iterations recursion recursions ",
+     "the number of derivation steps is given by `steps:`"},
+    {" rule rules ", "productions need no heading; each is a line such as `F --> F+F`"},
+    {" alphabet constants symbols variables ", "symbols need no declaration"},
+    {" tropism ", "a vector is given by `tropism_x:`, `tropism_y:` and `tropism_z:`"},
+  };
+  char key[16];
+  size_t length = strlen(word);
+  if (length + 3 > sizeof key) return NULL;
+  key[0] = ' ';
+  for (size_t i = 0; i < length; i++) key[i + 1] = word[i] >= 'A' && word[i] <= 'Z' ? (char)(word[i] + 32) : word[i];
+  memcpy(key + 1 + length, " ", 2);
+  for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++)
+    if (strstr(foreign[i].words, key)) return foreign[i].hint;
+  return NULL;
+}
+
+static bool is_block(const Statement *s) {
+  const char *at = s->colons[0] + 1;
+  while (at < s->end && (*at == ' ' || *at == '\t')) at++;
+  return at < s->end && *at == '{';
 }
 
 static void unknown_statement(Parser *parser, const Statement *s) {
   Span span = first_words(s);
   const char *word = quotable(parser, s, span);
-  const char *nearest = keyword_nearest(parser->build.arena, word);
-  if (nearest)
-    diag_error(parser->diag, span, "unknown statement `%s:`; did you mean `%s`?", word, nearest);
-  else
-    diag_error(parser->diag, span, "unknown statement `%s:`", word);
+  const char *hint = is_block(s) ? NULL : foreign_hint(word);
+  const char *nearest = hint ? NULL : keyword_nearest(parser->build.arena, word);
+  diag_error(parser->diag, span, "unknown statement `%s:`%s%s%s", word, nearest ? "; did you mean `" : "",
+             nearest ? nearest : "", nearest ? "`?" : "");
+  if (!nearest && !hint && utf8_length(s->begin, s->end) == span.end - span.begin)
+    hint = "a production has an arrow, as in `F --> F+F`";
+  if (hint) diag_hint(parser->diag, "%s", hint);
+}
+
+// Does the statement begin as comments do elsewhere: a sign, and white space behind it?
+static bool looks_like_comment(const Statement *s) {
+  static const char *const signs[] = {"#", ";", "--", "%", "'", "\"", "!", "*"};
+  for (size_t i = 0; i < sizeof signs / sizeof *signs; i++) {
+    size_t length = strlen(signs[i]);
+    if (utf8_starts(s->begin, s->end, signs[i]) && s->begin + length < s->end && strchr(" \t", s->begin[length]))
+      return true;
+  }
+  return false;
 }
 
 static void missing_arrow(Parser *parser, const Statement *s) {
@@ -76,7 +121,7 @@ static void missing_arrow(Parser *parser, const Statement *s) {
     diag_error(parser->diag, statement_span(s, s->begin, s->end), "this production has no arrow");
   else
     diag_error(parser->diag, statement_span(s, s->begin, s->end), "this is neither a statement nor a production");
-  diag_hint(parser->diag, "an arrow `->` stands between predecessor and successor");
+  diag_hint(parser->diag, looks_like_comment(s) ? comments : "an arrow `->` stands between predecessor and successor");
 }
 
 void guess_statement(Parser *parser, const Statement *s) {
