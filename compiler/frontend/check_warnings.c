@@ -103,6 +103,37 @@ static void warn_arity(Check *check) {
   }
 }
 
+// A production that waits for a symbol that no word holds, whatever its arguments.
+static void warn_never(Check *check, const Productions *productions, const Map *standing) {
+  for (size_t i = 0; i < productions->count; i++) {
+    const Context *strict = &productions->at[i]->strict;
+    for (size_t j = 0; j < strict->count; j++) {
+      const char *symbol = check->program->kinds[strict->at[j].kind].symbol;
+      if (strict->at[j].what != PATTERN_MODULE || map_find(standing, symbol, 0) != MAP_NONE) continue;
+      diag_warning(check->diag, WARN_UNREACHABLE, strict->at[j].span,
+                   "this production never applies: `%s` never stands in a word", symbol);
+      if (strict->count > 1)
+        diag_hint(check->diag,
+                  "it asks for %zu modules in a row; a condition stands behind a `:`, as in `A(x) : x > 1`",
+                  strict->count);
+      break;
+    }
+  }
+}
+
+static void warn_symbols(Check *check) {
+  const Program *program = check->program;
+  const bool *reached = check_reachable(check);
+  Map *standing = map_create(check->arena);
+  for (uint32_t i = 0; i < program->kind_count; i++)
+    if (reached[i]) *map_place(standing, program->kinds[i].symbol, 0) = i;
+  for (size_t i = 0; i < program->lsystem_count; i++) {
+    warn_never(check, &program->lsystems[i].productions, standing);
+    warn_never(check, &program->lsystems[i].decomposition.productions, standing);
+    warn_never(check, &program->lsystems[i].homomorphism.productions, standing);
+  }
+}
+
 // ---- decompositions and homomorphisms that do not end -----------------------------------------
 
 typedef struct Step {
@@ -210,6 +241,7 @@ void check_warnings(Check *check) {
     warn_endless(check, &lsystem->homomorphism);
   }
   warn_arity(check);
+  warn_symbols(check);
   warn_unused_definitions(check);
   warn_step(check);
   warn_radians(check);

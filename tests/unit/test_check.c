@@ -129,8 +129,8 @@ static void unknown_names(void **state) {
 
 static void definitions_are_seen_by_position(void **state) {
   (void)state;
-  accepts("axiom: A(a)\n#define a 1\n#undef a\n#define a 2\nB(x) --> B(a)\n", "axiom 0: A(a)", NULL);
-  Result result = checked("axiom: A(a)\n#define a 1\n#undef a\n#define a 2\nB(x) --> B(a)\n");
+  accepts("axiom: A(a)B(a)\n#define a 1\n#undef a\n#define a 2\nB(x) --> B(a)\n", "axiom 0: A(a)", NULL);
+  Result result = checked("axiom: A(a)B(a)\n#define a 1\n#undef a\n#define a 2\nB(x) --> B(a)\n");
   const Program *program = result.program;
   assert_int_equal(program->axioms[0].at[0].args[0]->slot, LSYS_SETTING_COUNT + 0);
   assert_int_equal(program->lsystems[0].productions.at[0]->successor.at[0].args[0]->slot, LSYS_SETTING_COUNT + 1);
@@ -197,12 +197,12 @@ static void brackets_balance(void **state) {
 
 static void contexts(void **state) {
   (void)state;
-  accepts("axiom: A\nBC < S > G[H]M --> T\n", "B C < S > G [ H ] M  --> T", NULL);
-  accepts("axiom: A\nA[ < S > =@] --> T\n", "A [ < S > = @]  --> T", NULL);
+  accepts("axiom: AS\nBC < S > G[H]M --> T\n", "B C < S > G [ H ] M  --> T", NULL);
+  accepts("axiom: AS\nA[ < S > =@] --> T\n", "A [ < S > = @]  --> T", NULL);
   refuses("axiom: A\nA[B] < S --> T\n", "2:2: error: in a left context `[` can only stand last");
   refuses("axiom: A\nS > A]B --> T\n", "2:6: error: this `]` closes no `[` of the right context");
   refuses("axiom: A\n[ --> A\n", "`[` cannot be replaced");
-  accepts("axiom: A\nFl --> A\n", "lsystem 0 pseudo", NULL);
+  accepts("axiom: AFl\nFl --> A\n", "lsystem 0 pseudo", NULL);
 }
 
 static void ignored_symbols(void **state) {
