@@ -1,11 +1,12 @@
-// derive.c -- sinks of the benchmark: one counts, one stores, one sums.
+// derive.c -- sinks of the benchmark: one counts, one sums.
 #include "derive.h"
 
 #include "core/derive.h"
 #include "sinks/homomorphism.h"
 
+#include <inttypes.h>
+#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 typedef struct WordSink {
   LsysSink sink;
@@ -28,13 +29,6 @@ static bool take_size(LsysSink *sink, const LsysWord *part) {
   out->nsym += part->nsym;
   out->narg += part->narg;
   return true;
-}
-
-static bool take_word(LsysSink *sink, const LsysWord *part) {
-  Packed *out = ((WordSink *)sink)->out;
-  memcpy(out->sym + out->nsym, part->sym, part->nsym);
-  if (part->narg) memcpy(out->arg + out->narg, part->arg, part->narg * sizeof(double));
-  return take_size(sink, part);
 }
 
 // In rows of sums of 16 bits, each of at most 256 bytes: widened to 64 bits at once, adding would take longer than
@@ -88,9 +82,11 @@ void word_size(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, size_t
   *narg = out.narg;
 }
 
-void word_store(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, Packed *out) {
-  out->nsym = out->narg = 0;
-  derive(grammar, steps, seed, out, take_word);
+void word_store(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, LsysWhole *whole) {
+  char n[24], s[24];
+  snprintf(n, sizeof n, "%" PRIu64, steps);
+  snprintf(s, sizeof s, "%" PRIu64, seed);
+  if (!lsys_derive_word(grammar, (const char *const[]){"-n", n, "--seed", s, "--threads", "1", NULL}, whole)) exit(1);
 }
 
 uint64_t word_sum(const LsysGrammar *grammar, uint64_t steps, uint64_t seed) {

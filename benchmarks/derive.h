@@ -3,7 +3,7 @@
 #define LSYSC_BENCHMARKS_DERIVE_H
 
 #include "baselines/baseline.h"
-#include "lsys/abi.h"
+#include "lsys/lsys.h"
 #include "sinks/sink.h"
 
 // Lets the word after some steps flow into a sink of one pass, through the grammar's homomorphism if shown (which then
@@ -13,8 +13,8 @@ void word_flow(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, bool s
 // Sizes of the word.
 void word_size(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, size_t *nsym, size_t *narg);
 
-// Writes the word into out, which has room for it.
-void word_store(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, Packed *out);
+// Writes the word into memory as users of the library do (lsys/lsys.h).
+void word_store(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, LsysWhole *whole);
 
 // The sum of bytes, as the sink of streamed words takes it.
 uint64_t sum_bytes(const uint8_t *at, size_t count);

@@ -37,19 +37,18 @@ static Result run_ours(const Options *options, const Row *row) {
   char path[4096];
   snprintf(path, sizeof path, "%s/%s.lsys", options->grammars, row->name);
   Compiled *compiled = compile_grammar(path, options->home);
-  size_t nsym, narg, bytes;
+  size_t nsym, narg;
   word_size(compiled_grammar(compiled), row->steps, 0, &nsym, &narg);
-  bytes = nsym + 1;
-  Packed out = {.sym = fresh_pages(bytes)};
+  LsysWhole out = {.sym = fresh_pages(nsym), .sym_bytes = nsym, .given = true};
   Result best = {.modules = (double)nsym, .seconds = 1e9};
   for (unsigned r = 0; r < options->runs; r++) {
-    forget_pages(out.sym, bytes);
+    forget_pages(out.sym, nsym);
     double begin = now();
     word_store(compiled_grammar(compiled), row->steps, 0, &out);
     double seconds = now() - begin;
     if (seconds < best.seconds) best.seconds = seconds;
   }
-  release_pages(out.sym, bytes);
+  release_pages(out.sym, nsym);
   compile_release(compiled);
   return best;
 }

@@ -27,16 +27,13 @@ static const Row rows[] = {
 typedef struct Contest {
   const Row *row;
   const LsysGrammar *grammar;
-  Packed ours, theirs;
+  LsysWhole ours;
+  Packed theirs;
   uint8_t *from, *to;  // of the memcpy
   size_t bytes;        // of symbols and arguments together
   bool cold;           // the first write to every page is part of the time
   uint64_t sum;
 } Contest;
-
-static size_t arg_bytes(const Packed *word) {
-  return word->narg * sizeof(double);
-}
 
 static void before_ours(void *data) {
   Contest *contest = data;
@@ -46,6 +43,7 @@ static void before_ours(void *data) {
 
 static void before_theirs(void *data) {
   Contest *contest = data;
+  contest->theirs.warm = !contest->cold;
   if (contest->cold) forget_pages(contest->theirs.sym, contest->bytes);
 }
 
@@ -75,16 +73,17 @@ static void run_stream(void *data) {
 }
 
 // Symbols and arguments in one mapping, so that both sides touch the same number of pages.
-static Packed packed_memory(size_t nsym, size_t narg, size_t *bytes) {
-  size_t symbols = (nsym + 64) & ~(size_t)63;
-  *bytes = symbols + narg * sizeof(double) + 64;
+static LsysWhole word_memory(size_t nsym, size_t narg, size_t *bytes) {
+  size_t symbols = (nsym + 64) & ~(size_t)63, arguments = narg * sizeof(double);
+  *bytes = symbols + arguments + 64;
   uint8_t *at = fresh_pages(*bytes);
-  return (Packed){.sym = at, .arg = (double *)(void *)(at + symbols)};
+  return (LsysWhole){
+    .sym = at, .arg = (double *)(void *)(at + symbols), .sym_bytes = symbols, .arg_bytes = arguments, .given = true};
 }
 
-static bool same(const Packed *a, const Packed *b) {
+static bool same(const LsysWhole *a, const Packed *b) {
   return a->nsym == b->nsym && a->narg == b->narg && memcmp(a->sym, b->sym, a->nsym) == 0
-      && memcmp(a->arg, b->arg, arg_bytes(a)) == 0;
+      && memcmp(a->arg, b->arg, a->narg * sizeof(double)) == 0;
 }
 
 static void print_row(const Options *options, const Contest *contest, const char *pages, Side *sides, unsigned runs) {
@@ -127,8 +126,9 @@ static void run_row(const Options *options, const Row *row) {
   Contest contest = {.row = row, .grammar = compiled_grammar(compiled)};
   size_t nsym, narg;
   word_size(contest.grammar, row->steps, row->seed, &nsym, &narg);
-  contest.ours = packed_memory(nsym, narg, &contest.bytes);
-  contest.theirs = packed_memory(nsym, narg, &contest.bytes);
+  contest.ours = word_memory(nsym, narg, &contest.bytes);
+  LsysWhole theirs = word_memory(nsym, narg, &contest.bytes);
+  contest.theirs = (Packed){.sym = theirs.sym, .arg = theirs.arg};
   contest.from = fresh_pages(contest.bytes);
   contest.to = fresh_pages(contest.bytes);
   memset(contest.from, 1, contest.bytes);
@@ -137,7 +137,7 @@ static void run_row(const Options *options, const Row *row) {
   if (same(&contest.ours, &contest.theirs)) {
     time_row(options, &contest);
   } else {
-    fprintf(stderr, "bench: %s: lsysc and the baseline give different words (%zu and %zu modules)\n", row->name,
+    fprintf(stderr, "bench: %s: lsysc and the baseline give different words (%" PRIu64 " and %zu modules)\n", row->name,
             contest.ours.nsym, contest.theirs.nsym);
     exit(1);
   }

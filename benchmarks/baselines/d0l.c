@@ -12,15 +12,17 @@ typedef struct Ladder {
   uint8_t *at[LEVELS];
   size_t length[LEVELS];
   unsigned levels;
+  bool warm;
   uint8_t bytes[2 * BLOCK];
 } Ladder;
 
 static inline uint8_t *put(uint8_t *out, const Ladder *ladder, unsigned steps) {
-  memcpy(out, ladder->at[steps], ladder->length[steps]);
+  put_block(out, ladder->at[steps], ladder->length[steps], ladder->warm);
   return out + ladder->length[steps];
 }
 
 static void ladder_start(Ladder *ladder, uint8_t letter) {
+  ladder->warm = false;
   ladder->bytes[0] = letter;
   ladder->at[0] = ladder->bytes;
   ladder->length[0] = 1;
@@ -63,6 +65,7 @@ void baseline_koch(Packed *out, unsigned steps, uint64_t seed) {
     koch_once(next, &f, f.levels - 1);
     f.levels++;
   }
+  f.warm = out->warm;
   uint8_t *at = out->sym;
   for (int i = 0; i < 4; i++) {
     at = koch_f(at, &f, steps);
@@ -113,6 +116,7 @@ void baseline_hilbert(Packed *out, unsigned steps, uint64_t seed) {
     if (!next[0] || !next[1]) break;
     for (int i = 0; i < 2; i++) hilbert_once(next[i], &h, i, level - 1);
   }
+  for (int i = 0; i < 2; i++) h.letter[i].warm = out->warm;
   out->nsym = (size_t)(hilbert(out->sym, &h, 0, steps) - out->sym);
   out->narg = 0;
 }
@@ -153,6 +157,7 @@ void baseline_plant(Packed *out, unsigned steps, uint64_t seed) {
     plant_once(next, &x, below);
     x.levels++;
   }
+  x.warm = out->warm;
   out->nsym = (size_t)(plant_x(out->sym, &x, steps) - out->sym);
   out->narg = 0;
 }

@@ -94,6 +94,7 @@ typedef struct Ternary {
   double *arg[TERN_LEVELS];
   size_t nsym[TERN_LEVELS], narg[TERN_LEVELS];
   unsigned levels;
+  bool warm;
   uint8_t sym_bytes[1 << 18];
   double args[1 << 17];
 } Ternary;
@@ -125,8 +126,8 @@ static void ternary(Cursor *c, const Ternary *t, unsigned steps) {
     ternary_once(c, t, steps - 1);
     return;
   }
-  memcpy(c->sym, t->sym[steps], t->nsym[steps]);
-  memcpy(c->arg, t->arg[steps], t->narg[steps] * sizeof(double));
+  put_block(c->sym, t->sym[steps], t->nsym[steps], t->warm);
+  put_block(c->arg, t->arg[steps], t->narg[steps] * sizeof(double), t->warm);
   c->sym += t->nsym[steps];
   c->arg += t->narg[steps];
 }
@@ -149,6 +150,7 @@ void baseline_ternary_tree(Packed *out, unsigned steps, uint64_t seed) {
   t.nsym[0] = 1;
   t.narg[0] = 0;
   t.levels = 1;
+  t.warm = false;
   while (t.levels < TERN_LEVELS && t.levels <= steps) {
     unsigned k = t.levels;
     t.sym[k] = t.sym[k - 1] + t.nsym[k - 1];
@@ -159,6 +161,7 @@ void baseline_ternary_tree(Packed *out, unsigned steps, uint64_t seed) {
     t.narg[k] = (size_t)(c.arg - t.arg[k]);
     t.levels++;
   }
+  t.warm = out->warm;
   Cursor c = {out->sym, out->arg, NULL};
   *c.sym++ = TERN_WIDTH;
   *c.arg++ = grown(1, 1.732, steps);

@@ -11,12 +11,33 @@
 // Words at least this long are handed to the sink where they stand, without a copy.
 enum { DIRECT = 1 << 12 };
 
+static uint64_t least(uint64_t a, uint64_t b) {
+  return a < b ? a : b;
+}
+
+// How many modules of any kinds there is room for.
+static uint64_t room_in(const LsysWriter *writer, size_t sym_bytes, size_t arg_room, size_t key_room) {
+  uint64_t modules = sym_bytes / writer->width;
+  if (writer->arity) modules = least(modules, arg_room / writer->arity);
+  return writer->key_room ? least(modules, key_room) : modules;
+}
+
+// Lets the next part be written where the sink wants it, if that place is worth it, else into the chunk.
 static void rewind_cursors(LsysWriter *writer) {
+  LsysSink *sink = writer->sink;
   LsysStream *to = &writer->stream;
-  to->sym = writer->sym;
-  to->arg = writer->arg;
+  LsysLoan *place = &writer->place;
+  uint64_t chunk = writer->sym_bytes / writer->width, modules = 0;
+  if (sink && sink->lend && sink->lend(sink, place))
+    modules = room_in(writer, place->sym_bytes, place->arg_room, writer->key_room);
+  if (modules < chunk) {
+    modules = chunk;
+    *place = (LsysLoan){writer->sym, writer->arg, writer->sym_bytes, writer->arg_room};
+  }
+  to->sym = place->sym;
+  to->arg = place->arg;
   to->key = writer->key;
-  to->sym_limit = writer->sym + writer->sym_bytes;
+  to->sym_limit = place->sym + modules * writer->width;
 }
 
 static LsysMemory *memory_of(const LsysWriter *writer) {
@@ -73,6 +94,7 @@ static _Noreturn void stop(LsysRun *run) {
 
 void lsys_writer_pass(LsysWriter *writer, const LsysWord *part) {
   if (!writer->sink->take(writer->sink, part)) stop(writer->stream.run);
+  rewind_cursors(writer);
 }
 
 // ---- into a store ------------------------------------------------------------
@@ -86,15 +108,10 @@ static void settle(LsysWriter *writer) {
   store->nkey = (uint64_t)(out->key - store->key);
 }
 
-static uint64_t least(uint64_t a, uint64_t b) {
-  return a < b ? a : b;
-}
-
 // How many modules the store has room for behind its word.
 static uint64_t store_room(const LsysWriter *writer, const LsysStore *store) {
-  uint64_t modules = store->sym_bytes / store->width - store->nsym;
-  if (writer->arity) modules = least(modules, (store->arg_room - store->narg) / writer->arity);
-  return writer->key_room ? least(modules, store->key_room - store->nkey) : modules;
+  return room_in(writer, store->sym_bytes - store->nsym * store->width, store->arg_room - store->narg,
+                 store->key_room - store->nkey);
 }
 
 // Makes room behind the store's word for that much, and a chunk's modules more.
@@ -132,11 +149,11 @@ void lsys_flush(LsysStream *out) {
     make_room(writer, 0, 0);
     return;
   }
-  LsysWord part = {.sym = writer->sym, .arg = writer->arg, .key = writer->key};
-  part.nsym = (uint64_t)(out->sym - writer->sym) / writer->width;
-  part.narg = (uint64_t)(out->arg - writer->arg);
+  const LsysLoan *place = &writer->place;
+  LsysWord part = {.sym = place->sym, .arg = place->arg, .key = writer->key};
+  part.nsym = (uint64_t)(out->sym - place->sym) / writer->width;
+  part.narg = (uint64_t)(out->arg - place->arg);
   part.nkey = (uint64_t)(out->key - writer->key);
-  rewind_cursors(writer);
   if (part.nsym) lsys_writer_pass(writer, &part);
 }
 

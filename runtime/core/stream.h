@@ -24,6 +24,7 @@ typedef struct LsysWriter {
   LsysStream stream;  // first: engines hold a pointer to it; its run is a worker's
   LsysSink *sink;
   struct LsysStore *store;  // written in place of chunks; NULL: there is a sink
+  LsysLoan place;           // what the stream writes into: the chunk, or what the sink lends. Keys stay in the chunk
   uint8_t *sym;             // the chunk
   double *arg;
   uint64_t *key;

@@ -30,9 +30,11 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   close(filter);
   // The derivation's driver hands its worker's run to sinks, which charge and fail by it.
   filter->run = (LsysRun *)run;
-  filter->open = lsys_writer_open(&filter->writer, (LsysWorker *)filter->run, filter->inner);
   if (filter->whole) lsys_store_clear(&filter->store);
-  return filter->open && filter->inner->begin(filter->inner, run, axiom, pass);
+  // The writer may ask the inner sink for memory.
+  filter->open = filter->inner->begin(filter->inner, run, axiom, pass)
+              && lsys_writer_open(&filter->writer, (LsysWorker *)filter->run, filter->inner);
+  return filter->open;
 }
 
 // A part of a word that is needed as a whole.

@@ -28,6 +28,13 @@ typedef struct LsysPrepared {
 // Room for size more bytes behind what is used; NULL after printing why not.
 char *lsys_prepared_room(LsysPrepared *prepared, size_t size);
 
+// Memory of a sink's own, in which the next part of the word may be written.
+typedef struct LsysLoan {
+  uint8_t *sym;
+  double *arg;
+  size_t sym_bytes, arg_room;
+} LsysLoan;
+
 struct LsysSink {
   unsigned passes;  // 1 or 2
   bool (*begin)(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass);
@@ -40,6 +47,10 @@ struct LsysSink {
   // only read), and what has to be done in the word's order.
   bool (*prepare)(const LsysSink *sink, const LsysWord *part, LsysPrepared *prepared);
   bool (*accept)(LsysSink *sink, const LsysPrepared *prepared);
+
+  // NULL, or: a place for the next part, which take then finds there and need not copy. A part may come from elsewhere
+  // all the same: where the place is too small for the writer, or where this is false, because there is none.
+  bool (*lend)(LsysSink *sink, LsysLoan *place);
 };
 
 #endif

@@ -20,6 +20,8 @@
 //     printf("%llu modules\n", (unsigned long long)modules);
 //   }
 //
+// lsys_derive_word gives the word in one piece, in memory that is used again from call to call.
+//
 // abi.h says how a word is packed, and what lsys_grammar tells of its kinds.
 #ifndef LSYS_LSYS_H
 #define LSYS_LSYS_H
@@ -40,6 +42,23 @@ typedef bool LsysReceive(void *data, uint32_t axiom, const LsysWord *part);
 // its command line, up to a NULL; the word is printed only if they ask for it.
 // False after printing on standard error what is wrong, or when receive stopped it.
 bool lsys_derive(const LsysGrammar *grammar, const char *const *options, LsysReceive *receive, void *data);
+
+// A word in one piece: nsym modules and narg arguments in arrays of so many bytes.
+typedef struct LsysWhole {
+  uint8_t *sym;
+  double *arg;
+  size_t sym_bytes, arg_bytes;
+  uint64_t nsym, narg;
+  bool given;  // the arrays are yours: they do not grow, and a longer word is an error
+} LsysWhole;
+
+// Derives a start word (the only one, or the option --axiom's) into `whole`: zeroed, or as an earlier call left it, or
+// with arrays of your own. The engine writes there without another copy where one thread derives (--threads 1). False
+// as lsys_derive; then nsym and narg say nothing.
+bool lsys_derive_word(const LsysGrammar *grammar, const char *const *options, LsysWhole *whole);
+
+// Frees the arrays, unless they were given.
+void lsys_whole_free(LsysWhole *whole);
 
 #ifdef __cplusplus
 }
