@@ -8,7 +8,7 @@ FILE
 printf 'Lsystem: 1\nderivation length: 1\nAxiom: F@Ts(1,0)@Td(2,0.5)/@Tp+F@Tx(1)@Tf\nA-->B\nendlsystem\n' > plant.l
 lsysc run -w plant.l --view plant.v --stats | grep -e end
 lsysc fmt -w plant.l --view plant.v > native.lsys && grep tropism native.lsys
-lsysc run native.lsys --stats | grep -e end
+lsysc run -w native.lsys --stats | grep -e end
 cat > wrong.v <<'FILE'
 tropism: E: 1
 tropism: I: 2 T: 1 2 3
