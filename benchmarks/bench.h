@@ -11,7 +11,7 @@ typedef struct Options {
   const char *only;      // NULL: every row
   unsigned runs;
   bool json;
-  bool markdown;  // words: rows of the table in docs/PERFORMANCE.md
+  bool markdown;  // words, sweep: rows of the tables in docs/PERFORMANCE.md
 } Options;
 
 void bench_words(const Options *options);    // words.c: words beside C and memcpy

@@ -10,8 +10,7 @@
 
 typedef struct WordSink {
   LsysSink sink;
-  Packed *out;
-  uint64_t sum;
+  Streamed seen;
 } WordSink;
 
 static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
@@ -25,9 +24,9 @@ static bool end(LsysSink *sink) {
 }
 
 static bool take_size(LsysSink *sink, const LsysWord *part) {
-  Packed *out = ((WordSink *)sink)->out;
-  out->nsym += part->nsym;
-  out->narg += part->narg;
+  Streamed *seen = &((WordSink *)sink)->seen;
+  seen->nsym += part->nsym;
+  seen->narg += part->narg;
   return true;
 }
 
@@ -49,8 +48,9 @@ uint64_t sum_bytes(const uint8_t *at, size_t count) {
 }
 
 static bool take_sum(LsysSink *sink, const LsysWord *part) {
-  ((WordSink *)sink)->sum += sum_bytes(part->sym, part->nsym) + sum_bytes((const uint8_t *)part->arg, 8 * part->narg);
-  return true;
+  Streamed *seen = &((WordSink *)sink)->seen;
+  seen->sum += sum_bytes(part->sym, part->nsym) + sum_bytes((const uint8_t *)part->arg, 8 * part->narg);
+  return take_size(sink, part);
 }
 
 void word_flow(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, bool shown, LsysSink *sink) {
@@ -68,18 +68,17 @@ void word_flow(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, bool s
   lsys_derivation_close(&derivation);
 }
 
-static uint64_t derive(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, Packed *out,
+static Streamed derive(const LsysGrammar *grammar, uint64_t steps, uint64_t seed,
                        bool (*take)(LsysSink *, const LsysWord *)) {
-  WordSink sink = {.sink = {.passes = 1, .begin = begin, .take = take, .end = end}, .out = out};
+  WordSink sink = {.sink = {.passes = 1, .begin = begin, .take = take, .end = end}};
   word_flow(grammar, steps, seed, false, &sink.sink);
-  return sink.sum;
+  return sink.seen;
 }
 
 void word_size(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, size_t *nsym, size_t *narg) {
-  Packed out = {0};
-  derive(grammar, steps, seed, &out, take_size);
-  *nsym = out.nsym;
-  *narg = out.narg;
+  Streamed seen = derive(grammar, steps, seed, take_size);
+  *nsym = seen.nsym;
+  *narg = seen.narg;
 }
 
 void word_store(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, LsysWhole *whole) {
@@ -89,6 +88,6 @@ void word_store(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, LsysW
   if (!lsys_derive_word(grammar, (const char *const[]){"-n", n, "--seed", s, "--threads", "1", NULL}, whole)) exit(1);
 }
 
-uint64_t word_sum(const LsysGrammar *grammar, uint64_t steps, uint64_t seed) {
-  return derive(grammar, steps, seed, NULL, take_sum);
+Streamed word_stream(const LsysGrammar *grammar, uint64_t steps, uint64_t seed) {
+  return derive(grammar, steps, seed, take_sum);
 }

@@ -19,7 +19,11 @@ void word_store(const LsysGrammar *grammar, uint64_t steps, uint64_t seed, LsysW
 // The sum of bytes, as the sink of streamed words takes it.
 uint64_t sum_bytes(const uint8_t *at, size_t count);
 
-// The sum of all bytes of the word, as it streams by.
-uint64_t word_sum(const LsysGrammar *grammar, uint64_t steps, uint64_t seed);
+// What was seen of a word that streamed by: its sizes, and the sum of all its bytes.
+typedef struct Streamed {
+  uint64_t nsym, narg, sum;
+} Streamed;
+
+Streamed word_stream(const LsysGrammar *grammar, uint64_t steps, uint64_t seed);
 
 #endif

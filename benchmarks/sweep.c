@@ -1,6 +1,7 @@
-// sweep.c -- the same grammars at growing steps, streamed into a sum: the cost
-// per module must stay flat and the memory bounded, beyond what would fit into
-// memory. Each size runs in a process of its own, whose peak is then its own.
+// sweep.c -- the same grammars at growing steps, streamed into a sum of all
+// their bytes: the cost per module must stay flat and the memory bounded, far
+// beyond what would fit into memory. Each size runs in a process of its own,
+// whose peak is then its own.
 #include "bench.h"
 #include "compile.h"
 #include "derive.h"
@@ -17,22 +18,23 @@ typedef struct Row {
   uint64_t first, last, stride, seed;
 } Row;
 
+// Words of 10^4 modules and more, each about ten times as long as the one before, up to 10^11 and 10^10.
 static const Row rows[] = {
-  {"koch", 4, 11, 1, 0}, {"row-of-trees", 12, 30, 6, 0}, {"shrub", 8, 16, 2, 1}, {"random-tree", 12, 28, 4, 1}};
+  {"koch", 4, 12, 1, 0}, {"row-of-trees", 10, 31, 3, 0}, {"shrub", 6, 18, 2, 1}, {"random-tree", 10, 31, 3, 1}};
 
 static void run_size(const Options *options, const Row *row, const LsysGrammar *grammar, uint64_t steps) {
   uint64_t before = resident();
-  size_t nsym, narg;
   double begin = now();
-  word_size(grammar, steps, row->seed, &nsym, &narg);
+  Streamed word = word_stream(grammar, steps, row->seed);
   double seconds = now() - begin, grown = (double)(peak_resident() - before);
-  double modules = (double)nsym;
+  double modules = (double)word.nsym, bytes = modules + 8 * (double)word.narg;
+  const char *layout = "%-14s %5" PRIu64 " %13.0f %13.0f %10.4f %10.3f %9.1f\n";
   if (options->json)
-    printf("{\"row\":\"%s\",\"steps\":%" PRIu64 ",\"modules\":%.0f,\"seconds\":%.6g,\"resident_bytes\":%.0f}\n",
-           row->grammar, steps, modules, seconds, grown);
-  else
-    printf("%-14s %5" PRIu64 " %14.0f %9.4f %10.3f %10.1f\n", row->grammar, steps, modules, seconds,
-           seconds / modules * 1e9, grown / 1e6);
+    layout = "{\"row\":\"%s\",\"steps\":%" PRIu64 ",\"modules\":%.0f,\"bytes\":%.0f,\"seconds\":%.6g,"
+             "\"ns_per_module\":%.4g,\"resident_megabytes\":%.3g}\n";
+  else if (options->markdown)
+    layout = "| %s | %" PRIu64 " | %.0f | %.0f | %.4f | %.3f | %.1f |\n";
+  printf(layout, row->grammar, steps, modules, bytes, seconds, seconds / modules * 1e9, grown / 1e6);
   fflush(stdout);
 }
 
@@ -53,8 +55,12 @@ static void run_row(const Options *options, const Row *row) {
 }
 
 void bench_sweep(const Options *options) {
-  if (!options->json)
-    printf("%-14s %5s %14s %9s %10s %10s\n", "row", "steps", "modules", "seconds", "ns/module", "MB grown");
+  if (options->markdown)
+    printf("| row | steps | modules | bytes | seconds | ns a module | MB grown |\n"
+           "| --- | --- | --- | --- | --- | --- | --- |\n");
+  else if (!options->json)
+    printf("%-14s %5s %13s %13s %10s %10s %9s\n", "row", "steps", "modules", "bytes", "seconds", "ns/module",
+           "MB grown");
   fflush(stdout);  // before processes of rows have it, too
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
     if (bench_wants(options, rows[i].grammar)) run_row(options, &rows[i]);
