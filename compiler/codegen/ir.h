@@ -290,8 +290,6 @@ void leaf_write_word(Rewrite *rewrite, const Derived *modules, size_t count, uin
 // expand.c: the rewriting functions of all reachable kinds.
 void expand_declare(Ir *ir);
 void expand_define(Ir *ir);
-// A module that a rewriting produced goes on by the rewriting's way; behind the last one the block is ended.
-void expand_hand_on(Rewrite *rewrite, const Derived *module, bool last);
 // Levels that the L-system's section of WAY_DECOMPOSE or WAY_INTERPRET allows.
 LLVMValueRef expand_depth(Ir *ir, Way way, size_t system);
 LLVMValueRef expand_stop(Ir *ir, LLVMValueRef out);  // out->stop
@@ -300,6 +298,14 @@ LLVMValueRef expand_function(const Ir *ir, Way way, size_t system, KindId kind);
 bool expand_takes_scan(const Ir *ir, Way way);
 // Calls the function of a kind with what stands behind the cursors; line_resume or a return takes the result.
 LLVMValueRef expand_call(const Rewrite *rewrite, Way way, KindId kind, LLVMValueRef *rest, unsigned count);
+
+// flow.c: where modules go. All but flow_hand_on of a module before the last end the block.
+// A module that a rewriting produced goes on by the rewriting's way.
+void flow_hand_on(Rewrite *rewrite, const Derived *module, bool last);
+void flow_take(Rewrite *rewrite, const Production *production);  // what a production writes
+void flow_stay(Rewrite *rewrite);                                // where none applies
+void flow_settle(Rewrite *rewrite);                              // in rewrite->self: no step or level is left
+void flow_finish(Rewrite *rewrite);                              // behind what was written
 
 // entry.c: the descriptor's functions that take packed words; NULL where the grammar has no such thing.
 LLVMValueRef entry_expand(Ir *ir);

@@ -12,7 +12,7 @@ static void take(Rewrite *rewrite, const Production *production) {
   rewrite->done = ir_block(ir, "rewritten");
   const Derived *modules = successor_derive(rewrite, production);
   size_t count = production->successor.count;
-  for (size_t i = 0; i < count; i++) expand_hand_on(rewrite, &modules[i], i + 1 == count);
+  for (size_t i = 0; i < count; i++) flow_hand_on(rewrite, &modules[i], i + 1 == count);
   if (count == 0) LLVMBuildBr(ir->builder, rewrite->done);
   ir_at(ir, rewrite->done);
   KindId *kinds = arena_array(ir->arena, strict->count, sizeof *kinds);
@@ -29,7 +29,7 @@ static void stay(Rewrite *rewrite) {
   }
   Derived self = {.kind = rewrite->kind, .args = rewrite->args, .key = key ? key_split(ir, key, 0) : NULL};
   rewrite->done = ir_block(ir, "stays");
-  expand_hand_on(rewrite, &self, true);
+  flow_hand_on(rewrite, &self, true);
   ir_at(ir, rewrite->done);
   walk_pass(rewrite, &rewrite->kind, 1);
 }
