@@ -74,7 +74,7 @@ typedef struct Guard {
 static Guard guard_begin(void) {
   Guard guard;
   sigemptyset(&guard.ending);
-  const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGCHLD};
+  const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ, SIGCHLD};
   for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) sigaddset(&guard.ending, signals[i]);
   sigprocmask(SIG_BLOCK, &guard.ending, &guard.before);
   return guard;

@@ -220,6 +220,9 @@ int lsys_main(const LsysGrammar *grammar, int argc, char **argv) {
     well = lsys_program_run(grammar, &options, NULL);
   }
   lsys_options_free(&options);
-  if (fflush(stdout) != 0) well = false;
+  if ((fflush(stdout) != 0 || ferror(stdout)) && well) {
+    lsys_error("cannot write standard output");
+    well = false;
+  }
   return well ? 0 : 1;
 }

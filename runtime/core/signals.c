@@ -21,14 +21,16 @@ static void end(int signal) {
 }
 
 void lsys_signals_install(void) {
-  static const int ending[] = {SIGINT, SIGTERM, SIGHUP};
+  static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
   for (size_t i = 0; i < sizeof ending / sizeof *ending; i++) {
     struct sigaction old, action = {.sa_handler = end, .sa_flags = (int)SA_RESETHAND};
     if (sigaction(ending[i], NULL, &old) == 0 && old.sa_handler == SIG_IGN) continue;
     sigemptyset(&action.sa_mask);
     sigaction(ending[i], &action, NULL);
   }
+  // Writing then fails and is reported: a closed pipe, a limit of the size of files.
   signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);
 }
 
 bool lsys_temporary_add(const char *path) {
