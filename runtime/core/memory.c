@@ -31,6 +31,12 @@ void lsys_memory_give(LsysMemory *memory, uint64_t bytes) {
   if (memory) atomic_fetch_sub_explicit(&memory->used, bytes, memory_order_relaxed);
 }
 
+uint64_t lsys_memory_left(const LsysMemory *memory) {
+  if (!memory) return UINT64_MAX;
+  uint64_t used = atomic_load_explicit(&memory->used, memory_order_relaxed);
+  return used < memory->limit ? memory->limit - used : 0;
+}
+
 // A size for people: three digits, in the unit that fits.
 typedef struct SizeText {
   char text[24];
@@ -55,18 +61,23 @@ void lsys_memory_refuse(const LsysMemory *memory, uint64_t bytes) {
              size_text(atomic_load(&memory->used)).text, size_text(bytes).text, size_text(memory->limit).text);
 }
 
-void *lsys_memory_alloc(LsysMemory *memory, size_t count, size_t size) {
+static size_t product(size_t count, size_t size) {
   size_t bytes;
-  if (__builtin_mul_overflow(count, size, &bytes)) bytes = SIZE_MAX;
-  if (!lsys_memory_take(memory, bytes)) {
-    lsys_memory_refuse(memory, bytes);
-    return NULL;
-  }
+  return __builtin_mul_overflow(count, size, &bytes) ? SIZE_MAX : bytes;
+}
+
+void *lsys_memory_try(LsysMemory *memory, size_t count, size_t size) {
+  size_t bytes = product(count, size);
+  if (!lsys_memory_take(memory, bytes)) return NULL;
   void *at = calloc(count ? count : 1, size);
-  if (at) return at;
-  lsys_memory_refuse(memory, bytes);
-  lsys_memory_give(memory, bytes);
-  return NULL;
+  if (!at) lsys_memory_give(memory, bytes);
+  return at;
+}
+
+void *lsys_memory_alloc(LsysMemory *memory, size_t count, size_t size) {
+  void *at = lsys_memory_try(memory, count, size);
+  if (!at) lsys_memory_refuse(memory, product(count, size));
+  return at;
 }
 
 void lsys_memory_free(LsysMemory *memory, void *at, size_t count, size_t size) {
@@ -77,8 +88,7 @@ void lsys_memory_free(LsysMemory *memory, void *at, size_t count, size_t size) {
 
 // The array of `before` bytes with room for `wanted` elements; NULL after printing why not, and the array stays.
 static void *move(LsysMemory *memory, void *at, size_t before, size_t wanted, size_t size) {
-  size_t bytes;
-  if (__builtin_mul_overflow(wanted, size, &bytes)) bytes = SIZE_MAX;
+  size_t bytes = product(wanted, size);
   void *grown = NULL;
   // Both arrays stand side by side while the old one is copied.
   if (lsys_memory_take(memory, bytes)) {

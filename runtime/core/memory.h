@@ -21,6 +21,9 @@ uint64_t lsys_memory_default(void);
 bool lsys_memory_take(LsysMemory *memory, uint64_t bytes);
 void lsys_memory_give(LsysMemory *memory, uint64_t bytes);
 
+// How many bytes may still be booked.
+uint64_t lsys_memory_left(const LsysMemory *memory);
+
 // The message for a refused booking of bytes more.
 void lsys_memory_refuse(const LsysMemory *memory, uint64_t bytes);
 
@@ -28,6 +31,9 @@ void lsys_memory_refuse(const LsysMemory *memory, uint64_t bytes);
 // size.
 void *lsys_memory_alloc(LsysMemory *memory, size_t count, size_t size);
 void lsys_memory_free(LsysMemory *memory, void *at, size_t count, size_t size);
+
+// The same without a message: for what a run can do without.
+void *lsys_memory_try(LsysMemory *memory, size_t count, size_t size);
 
 // Doubles an array of *capacity elements (at least 64); the new part is not cleared.
 // NULL after printing why not: the old array stays.

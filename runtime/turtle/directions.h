@@ -35,8 +35,8 @@ static inline Pair directions_out(const Directions *d, double step, Pair p) {
   bool hex = d->lattice == LATTICE_HEX;
   double ahead = hex ? p[0] + p[1] * 0.5 : p[0];
   double left = hex ? p[1] * 0.86602540378443864676 : p[1];
-  return (Pair){step * (d->first_cos * ahead - d->first_sin * left),
-                step * (d->first_sin * ahead + d->first_cos * left)};
+  const Pair first = {d->first_cos, d->first_sin}, across = {-d->first_sin, d->first_cos};
+  return step * (first * ahead + across * left);
 }
 
 #endif

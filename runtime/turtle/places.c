@@ -6,7 +6,6 @@
 #include "core/memory.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 enum { MOST_PLACES = 1 << 18 };
 
@@ -34,12 +33,8 @@ static void insert(LsysPlaces *s, uint64_t h) {
 static bool grow(LsysPlaces *s) {
   LsysPlaces bigger = {.room = s->room ? 2 * s->room : 1024};
   if (s->count >= MOST_PLACES) return false;
-  if (!lsys_memory_take(s->memory, bigger.room * sizeof *bigger.slot)) return false;
-  bigger.slot = calloc(bigger.room, sizeof *bigger.slot);
-  if (!bigger.slot) {
-    lsys_memory_give(s->memory, bigger.room * sizeof *bigger.slot);
-    return false;
-  }
+  bigger.slot = lsys_memory_try(s->memory, bigger.room, sizeof *bigger.slot);
+  if (!bigger.slot) return false;
   for (uint64_t i = 0; i < s->room; i++) {
     if (s->slot[i]) insert(&bigger, s->slot[i]);
   }

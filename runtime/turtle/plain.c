@@ -6,55 +6,7 @@
 // its length along the heading to the place, and stores the place; only moves
 // that draw keep it. Brackets take one branch each, and none on what they find.
 #include "turtle/actions.h"
-
-#include <string.h>
-
-// What the loop changes, in registers.
-typedef struct Cursor {
-  Pair at;
-  uint32_t heading;
-  LsysVec3 *out;       // the next free point
-  LsysVec3 *open;      // where the open stroke begins
-  LsysStroke *stroke;  // the next free stroke
-  unsigned char *top;  // of the stack
-  bool joined;
-} Cursor;
-
-static Cursor load(const LsysTurtle *t) {
-  return (Cursor){.at = t->state.at,
-                  .heading = t->state.heading,
-                  .out = t->point + t->points,
-                  .open = t->point + t->open,
-                  .stroke = t->stroke + t->strokes,
-                  .top = t->stack + t->depth * t->state_size,
-                  .joined = t->joined};
-}
-
-static void store(LsysTurtle *t, const Cursor *c) {
-  t->state.at = c->at;
-  t->state.heading = c->heading;
-  t->points = (uint32_t)(c->out - t->point);
-  t->open = (uint32_t)(c->open - t->point);
-  t->strokes = (uint32_t)(c->stroke - t->stroke);
-  t->depth = (size_t)(c->top - t->stack) / t->state_size;
-  t->joined = c->joined;
-}
-
-static inline void put_place(LsysVec3 *to, Pair at) {
-  memcpy(to, &at, sizeof at);
-}
-
-// The turtle stands somewhere else: the open stroke, if it has a segment, is written, and another begins.
-static inline void jump(const LsysTurtle *t, Cursor *c, const LsysPen *pen) {
-  uint32_t count = (uint32_t)(c->out - c->open);
-  bool drawn = count >= 2;
-  *c->stroke = (LsysStroke){(uint32_t)(c->open - t->point), count, *pen, c->joined};
-  c->stroke += drawn;
-  c->open = drawn ? c->out : c->open;
-  put_place(c->open, c->at);
-  c->out = c->open + 1;
-  c->joined = false;
-}
+#include "turtle/cursor.h"
 
 // The small part of a State, as brackets keep it.
 typedef struct Saved {
@@ -87,7 +39,7 @@ static inline bool pop(LsysTurtle *t, Cursor *c, LsysPen *pen) {
   memcpy(&s, c->top, sizeof s);
   c->at = s.at;
   c->heading = s.heading;
-  jump(t, c, pen);
+  cursor_jump(t, c, pen);
   memcpy(&t->state, &s, sizeof s);
   *pen = (LsysPen){s.width, s.colour, pen->mark};
   return true;
@@ -95,9 +47,9 @@ static inline bool pop(LsysTurtle *t, Cursor *c, LsysPen *pen) {
 
 // Brackets and moves without drawing, the general way. False to stop.
 static bool act(LsysTurtle *t, Cursor *c, PlainAct what) {
-  store(t, c);
+  cursor_store(t, c);
   bool well = what == PLAIN_PUSH ? turtle_push(t) : turtle_pop(t);
-  *c = load(t);
+  *c = cursor_load(t);
   return well;
 }
 
@@ -117,7 +69,7 @@ static inline bool act_by_arg(const LsysTurtle *t, Cursor *c, const PlainKind *k
   case PLAIN_JUMP_ARG:
     if (!is_finite(x)) return false;
     c->at += t->directions.at[c->heading] * x;
-    jump(t, c, pen);
+    cursor_jump(t, c, pen);
     return true;
   case PLAIN_TURN_ARG:
     if (!is_finite(x) || !directions_find(&t->directions, k->move * x, &turn)) return false;
@@ -163,14 +115,14 @@ size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, const double **arg, 
   // behind the first module that fills it, wherever the word's parts end: what is drawn does not depend on them.
   size_t room = (BATCH_FULL + 1 - t->points) / 2;
   if (count > room) count = room;
-  Cursor c = load(t);
+  Cursor c = cursor_load(t);
   LsysPen pen = turtle_pen(t);
   size_t i = 0;
   for (; (i = go_along(t, &c, sym, i, count)) < count; i++) {
     const PlainKind *k = &kinds[sym[i]];
     if (k->act == PLAIN_JUMP) {
       c.at += directions[c.heading] * k->move;
-      jump(t, &c, &pen);
+      cursor_jump(t, &c, &pen);
     } else if (k->skip) {
       if (!act_by_arg(t, &c, k, **arg, &pen)) break;
       *arg += k->skip;
@@ -185,6 +137,6 @@ size_t turtle_read_plain(LsysTurtle *t, const uint8_t *sym, const double **arg, 
       if (!turtle_is_plain(t)) return i + 1;
     }
   }
-  store(t, &c);
+  cursor_store(t, &c);
   return i;
 }

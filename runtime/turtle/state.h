@@ -1,5 +1,5 @@
 // state.h -- the turtle's insides, shared by turtle.c (words in), plain.c (the
-// fast loop), act.c (one module) and strokes.c (batches out).
+// fast loop), trail.c (words that come again), act.c (one module) and strokes.c (batches out).
 #ifndef LSYS_TURTLE_STATE_H
 #define LSYS_TURTLE_STATE_H
 
@@ -138,6 +138,7 @@ struct LsysTurtle {
   Directions directions;
   KindInfo *kind;
   PlainKind *plain_kind;
+  struct Trails *trails;  // of blocks (trail.c)
 
   // Saved states, state_size bytes each.
   unsigned char *stack;

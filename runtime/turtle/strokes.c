@@ -2,6 +2,8 @@
 // them on in the page's coordinates.
 #include "turtle/actions.h"
 
+#include <string.h>
+
 LsysVec3 turtle_out(const LsysTurtle *t, LsysVec3 p) {
   if (t->directions.lattice == LATTICE_NONE) return p;
   Pair out = directions_out(&t->directions, t->run->value[LSYS_SETTING_STEP], (Pair){p.x, p.y});
@@ -38,12 +40,34 @@ void turtle_draw_to(LsysTurtle *t) {
   t->point[t->points++] = place(t);
 }
 
+// A batch in coordinates of the page; on a lattice z is 0.
+static inline void leave_lattice(const Directions *d, double step, LsysVec3 *point, const LsysVec3 *end) {
+  for (; point < end; point++) {
+    Pair p;
+    memcpy(&p, point, sizeof p);
+    p = directions_out(d, step, p);
+    memcpy(point, &p, sizeof p);
+  }
+}
+
+// A loop for each shape, in registers.
+static void to_page(const LsysTurtle *t) {
+  Directions d = t->directions;
+  const double step = t->run->value[LSYS_SETTING_STEP];
+  const LsysVec3 *end = t->point + t->points;
+  if (t->directions.lattice == LATTICE_SQUARE) {
+    d.lattice = LATTICE_SQUARE;
+    leave_lattice(&d, step, t->point, end);
+  } else if (t->directions.lattice == LATTICE_HEX) {
+    d.lattice = LATTICE_HEX;
+    leave_lattice(&d, step, t->point, end);
+  }
+}
+
 bool turtle_flush(LsysTurtle *t) {
   turtle_change_pen(t);
   if (t->strokes && t->to->strokes) {
-    if (t->directions.lattice) {
-      for (uint32_t i = 0; i < t->points; i++) t->point[i] = turtle_out(t, t->point[i]);
-    }
+    to_page(t);
     LsysStrokes batch = {t->point, t->stroke, t->strokes, t->open};
     if (!t->to->strokes(t->to, &batch)) return false;
   }

@@ -6,6 +6,7 @@
 #include "core/memory.h"
 #include "core/message.h"
 #include "turtle/actions.h"
+#include "turtle/trail.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -275,6 +276,7 @@ LsysTurtle *lsys_turtle_create(const LsysRun *run) {
 
 void lsys_turtle_destroy(LsysTurtle *t) {
   if (!t) return;
+  turtle_forget_trails(t);
   directions_destroy(&t->directions);
   free(t->kind);
   free(t->plain_kind);
@@ -361,12 +363,16 @@ static uint32_t symbol(const LsysTurtle *t, const uint8_t *sym, uint64_t i) {
 bool lsys_turtle_take(LsysTurtle *t, const LsysWord *part) {
   const double *arg = part->arg;
   const uint64_t start = t->read;
+  bool ok = true;
   if (t->by_age) change_birth(t);
+  if (turtle_follow(t, part, &ok)) {
+    t->read += part->nsym;
+    return ok;
+  }
   for (uint64_t i = 0; i < part->nsym;) {
     t->read = start + i;
     if (t->points >= BATCH_FULL && !turtle_flush(t)) return false;
     if (turtle_is_plain(t)) {
-      bool ok = true;
       size_t plain = turtle_read_plain(t, part->sym + i, &arg, part->nsym - i, &ok);
       if (!ok) return false;
       i += plain;
