@@ -21,6 +21,13 @@ static const LsysKind *describe_kinds(Arena *arena, const Program *program, cons
   return kinds;
 }
 
+static const char *const *describe_texts(Arena *arena, const Program *program) {
+  const char **texts = arena_array(arena, program->kind_count, sizeof *texts);
+  bool any = false;
+  for (size_t k = 0; k < program->kind_count; k++) any |= (texts[k] = program->kinds[k].text) != NULL;
+  return any ? texts : NULL;
+}
+
 static double bound(const Program *program, const Expr *expr, double otherwise) {
   double value;
   return expr && expr_constant(program, expr, &value) ? value : otherwise;
@@ -181,5 +188,6 @@ LsysGrammar *describe(Arena *arena, const Program *program, const Facts *facts) 
   grammar->environment_path = program->environment_path;
   grammar->environment_value = program->environment_value;
   grammar->growth = facts->growth;
+  grammar->texts = describe_texts(arena, program);
   return grammar;
 }

@@ -93,11 +93,11 @@ static LLVMValueRef growth(Ir *ir) {
   return LLVMConstNamedStruct(ir->types.growth, fields, 3);
 }
 
-static LLVMValueRef page(Ir *ir) {
-  LLVMValueRef texts[LSYS_PAGE_COUNT];
-  for (int i = 0; i < LSYS_PAGE_COUNT; i++)
-    texts[i] = text(ir, ir->description->page ? ir->description->page[i] : NULL);
-  return structs(ir, ir->types.ptr, texts, LSYS_PAGE_COUNT, "page");
+static LLVMValueRef texts(Ir *ir, const char *const *at, size_t count) {
+  if (!at) return LLVMConstNull(ir->types.ptr);
+  LLVMValueRef *rows = arena_array(ir->arena, count, sizeof *rows);
+  for (size_t i = 0; i < count; i++) rows[i] = text(ir, at[i]);
+  return structs(ir, ir->types.ptr, rows, count, "texts");
 }
 
 static LLVMValueRef surfaces(Ir *ir) {
@@ -215,13 +215,14 @@ void freeze_grammar(Ir *ir, const Entries *entries) {
     FIELD(surfaces, surfaces(ir)),
     FIELD(colour_count, int_of(i32, g->colour_count)),
     FIELD(colours, numbers(ir, g->colours, g->colour_count)),
-    FIELD(page, page(ir)),
+    FIELD(page, texts(ir, g->page, LSYS_PAGE_COUNT)),
     FIELD(environment, int_of(i32, g->environment)),
     FIELD(environment_path, g->environment_path ? text(ir, g->environment_path) : null),
     FIELD(environment_value,
           bytes(ir, (const uint8_t *)g->environment_value, LSYS_ENVIRONMENT_VALUES * sizeof(double), "environment")),
     FIELD(contour_count, int_of(i32, g->contour_count)),
     FIELD(contours, contours(ir)),
+    FIELD(texts, texts(ir, g->texts, g->kind_count)),
   };
   enum { COUNT = sizeof fields / sizeof fields[0] };
   LLVMValueRef values[COUNT];

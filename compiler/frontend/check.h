@@ -237,7 +237,8 @@ bool check_deeper(Check *check, Span span);
 
 // check_kinds.c
 void kinds_declare(Check *check, const AstStatement *statement);
-KindId kind_of(Check *check, const char *symbol, size_t arity, Span span);
+KindId kind_of(Check *check, const char *symbol, const char *text, size_t arity,
+               Span span);  // text: a label's, or NULL
 
 // check_words.c; what: "axiom" or "successor", for messages
 Word check_word(Check *check, const AstWord *word, const char *what);
@@ -249,6 +250,9 @@ Expr *check_match(Check *check);
 void check_production(Check *check, const AstStatement *statement);
 void check_unused(Check *check, size_t parameters);  // warns of the scope's first slots that nothing used
 Actions check_actions(Check *check, const AstActions *actions);
+
+// Tells what is wrong with a text of `name` that is to be printed with that many values.
+void check_format(Check *check, const char *name, const AstExpr *format, size_t values, Span span);
 void values_begin(Check *check);  // once all values and functions are collected
 void check_definition(Check *check, const AstStatement *statement);
 void check_arrays(Check *check, const AstStatement *statement);

@@ -5,6 +5,8 @@
 
 #include <string.h>
 
+enum { MOST_DIGITS = 4 };  // of a width or precision that is printed with
+
 static Actions actions_of(Check *check, const AstActions *actions);
 
 // ---- assignments ----------------------------------------------------------------
@@ -87,22 +89,33 @@ static void seed_random(Check *check, const AstExpr *call, Action *action) {
 }
 
 // The number of values that a printf format asks for; -1 after an error.
-static int conversions(Check *check, const AstExpr *format) {
+static int conversions(Check *check, const char *name, const AstExpr *format) {
   int count = 0;
   for (const char *c = format->text; *c; c++) {
     if (*c != '%') continue;
     if (*++c == '%') continue;
     c += strspn(c, "-+ #0");
-    c += strspn(c, "0123456789");
-    if (*c == '.') c += 1 + strspn(c + 1, "0123456789");
+    size_t width = strspn(c, "0123456789"), precision = c[width] == '.' ? 1 + strspn(c + width + 1, "0123456789") : 0;
+    if (width > MOST_DIGITS || precision > 1 + MOST_DIGITS) {
+      diag_error(check->diag, format->span, "a width in the text is too big: it has %d digits at most", MOST_DIGITS);
+      return -1;
+    }
+    c += width + precision;
     if (*c == 'l') c++;
     if (!*c || !strchr("difFeEgG", *c)) {
-      diag_error(check->diag, format->span, "`printf` prints numbers: after `%%` it knows d, i, f, e and g");
+      diag_error(check->diag, format->span, "`%s` prints numbers: after `%%` it knows d, i, f, e and g", name);
       return -1;
     }
     count++;
   }
   return count;
+}
+
+void check_format(Check *check, const char *name, const AstExpr *format, size_t values, Span span) {
+  int wanted = conversions(check, name, format), given = (int)values;
+  if (wanted >= 0 && wanted != given)
+    diag_error(check->diag, span, "the text asks for %d value%s, but %d %s given", wanted, wanted == 1 ? "" : "s",
+               given, given == 1 ? "is" : "are");
 }
 
 static Expr *text_expr(Check *check, const AstExpr *ast) {
@@ -121,10 +134,7 @@ static void print_numbers(Check *check, const AstExpr *call, Expr *result) {
                first ? "fprintf(f, " : "printf(");
     return;
   }
-  int wanted = conversions(check, format), given = (int)(call->args.count - first) - 1;
-  if (wanted >= 0 && wanted != given)
-    diag_error(check->diag, call->span, "the text asks for %d value%s, but %d %s given", wanted, wanted == 1 ? "" : "s",
-               given, given == 1 ? "is" : "are");
+  check_format(check, "printf", format, call->args.count - first - 1, call->span);
   result->args[first] = text_expr(check, format);
   for (size_t i = first + 1; i < call->args.count; i++) result->args[i] = check_expression(check, call->args.at[i]);
 }

@@ -290,7 +290,7 @@ static Expr *expression(Check *check, const AstExpr *ast) {
     return element(check, ast);
   case AST_STRING:
     diag_error(check->diag, ast->span,
-               "a text in quotes is no number; statements such as `printf` and `useTable` take one");
+               "a text in quotes is no number; `printf`, `useTable` and the label `@L` take one");
     return check->poison;
   case AST_POISON:
     return check->poison;

@@ -111,12 +111,14 @@ static void check_limits(Check *check, const Kind *kind) {
     diag_error(check->diag, kind->span, "more than %d different kinds of modules", MOST_KINDS);
 }
 
-KindId kind_of(Check *check, const char *symbol, size_t arity, Span span) {
-  uint32_t *place = map_place(check->kind_map, symbol, arity);
+KindId kind_of(Check *check, const char *symbol, const char *text, size_t arity, Span span) {
+  const char *name = text ? arena_printf(check->arena, "%s\"%s", symbol, text) : symbol;
+  uint32_t *place = map_place(check->kind_map, name, arity);
   if (*place != MAP_NONE) return *place;
   KindId id = *place = (uint32_t)check->kinds.count;
   Kind *kind = VEC_PUSH(check->arena, &check->kinds);
-  *kind = (Kind){.symbol = symbol, .arity = (uint32_t)arity, .turtle = lsys_turtle_op(symbol), .span = span};
+  *kind =
+    (Kind){.symbol = symbol, .text = text, .arity = (uint32_t)arity, .turtle = lsys_turtle_op(symbol), .span = span};
   *VEC_PUSH(check->arena, &check->predecessor) = false;
   check_declared(check, kind);
   check_limits(check, kind);

@@ -23,11 +23,11 @@ static Expr *subsystem(Check *check, const AstExpr *ast) {
   return index == NONE ? check->poison : expr_number(check->arena, index, ast->span);
 }
 
-// In cpfg a label is a text with numbers in it, `@L("%.2f", x)`. Here it is its first number: 1 argument to leave out.
-static size_t label_text(Check *check, const AstModule *module) {
-  if (!is_symbol(module, "@L") || module->args.count == 0 || module->args.at[0]->kind != AST_STRING) return 0;
-  diag_warning(check->diag, WARN_DIALECT, module->args.at[0]->span, "the text is left out: a label is a number here");
-  return 1;
+// What a label says, `@L("%.2f", x)`: it belongs to the kind, and the other arguments are numbers. NULL: no text.
+static const char *label_text(Check *check, const AstModule *module) {
+  if (!is_symbol(module, "@L") || module->args.count == 0 || module->args.at[0]->kind != AST_STRING) return NULL;
+  check_format(check, module->symbol, module->args.at[0], module->args.count - 1, module->span);
+  return module->args.at[0]->text;
 }
 
 static Expr **module_arguments(Check *check, const AstModule *module, size_t first) {
@@ -69,8 +69,9 @@ Word check_word(Check *check, const AstWord *word, const char *what) {
     if (is_symbol(module, "@]"))
       diag_error(check->diag, module->symbol_span,
                  "`@]` asks for the end of a branch and can only stand in a right context");
-    size_t first = label_text(check, module);
-    KindId kind = kind_of(check, module->symbol, module->args.count - first, module->span);
+    const char *text = label_text(check, module);
+    size_t first = text != NULL;
+    KindId kind = kind_of(check, module->symbol, text, module->args.count - first, module->span);
     result.at[i] = (Module){kind, module_arguments(check, module, first), module->span};
   }
   check_balance(check, word, what);
@@ -217,9 +218,11 @@ Context check_context(Check *check, const AstWord *word, Side side) {
     pattern->span = module->span;
     pattern->slot = (uint32_t)check->scope.slots.count;
     pattern->kind = KIND_NONE;
+    const char *text = label_text(check, module);
+    size_t first = text != NULL;
     if (pattern->what != PATTERN_REST && pattern->what != PATTERN_END)
-      pattern->kind = kind_of(check, module->symbol, module->args.count, module->span);
-    for (size_t j = 0; j < module->args.count; j++) formal(check, module->args.at[j]);
+      pattern->kind = kind_of(check, module->symbol, text, module->args.count - first, module->span);
+    for (size_t j = first; j < module->args.count; j++) formal(check, module->args.at[j]);
   }
   if (side == SIDE_RIGHT && !check->ast->rules.literal_context_brackets) check_closed(check, word);
   return context;

@@ -6,6 +6,7 @@
 #include "frontend/fmt_word.h"
 
 #include "lsys/number.h"
+#include "lsys/quote.h"
 #include "support/utf8.h"
 
 #include <ctype.h>
@@ -156,7 +157,8 @@ void fmt_operand(const FmtWriter *writer, const AstExpr *expr) {
 }
 
 void fmt_string(const FmtWriter *writer, const char *text) {
-  fprintf(writer->out, "\"%s\"", text);
+  char *quoted = arena_array(writer->arena, lsys_quoted_size(text), 1);
+  fwrite(quoted, 1, (size_t)(lsys_quote(quoted, text) - quoted), writer->out);
 }
 
 // ---- words -----------------------------------------------------------------

@@ -27,6 +27,7 @@ typedef uint32_t KindId;
 typedef struct Kind {
   const char *symbol;  // UTF-8, as scanned: "F", "a_r", "plant", "@Gs"
   uint32_t arity;
+  const char *text;        // of a label, with a conversion for each argument; NULL
   LsysTurtleOp turtle;     // LSYS_TURTLE_NONE: the turtle ignores it
   const char **arg_names;  // of a declared module; NULL
   bool ignored;            // not seen by context matching (main L-system's ignore/consider)

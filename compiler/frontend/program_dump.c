@@ -201,6 +201,7 @@ static void dump_kinds(const Dump *dump) {
   for (size_t i = 0; i < dump->program->kind_count; i++) {
     const Kind *kind = &dump->program->kinds[i];
     fprintf(dump->out, "kind %zu: %s/%u", i, kind->symbol, kind->arity);
+    if (kind->text) fprintf(dump->out, " \"%s\"", kind->text);
     for (uint32_t j = 0; kind->arg_names && j < kind->arity; j++)
       fprintf(dump->out, "%s%s", j ? "," : " (", kind->arg_names[j]);
     if (kind->arg_names && kind->arity) fputc(')', dump->out);

@@ -1,7 +1,7 @@
-// print.c -- printf of a grammar's blocks, the same for every engine.
+// print.c -- printf of a grammar's blocks and texts of labels, the same for every engine.
 // Requires: a format that check has seen: of conversions only d, i, e, f, g
 // (and E, F, G), one for each value.
-#include "lsys/abi.h"
+#include "core/print.h"
 
 #include "core/files.h"
 #include "core/message.h"
@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { LONGEST_WIDTH = 4 };  // digits of a width or precision
@@ -57,6 +58,17 @@ static void print(LsysRun *run, FILE *to, const char *format, const double *valu
     if (*format == '%' && format[1] == '%') format++;
     fputc(*format++, to);
   }
+}
+
+char *lsys_print_text(LsysRun *run, const char *format, const double *values, uint32_t count) {
+  char *text = NULL;
+  size_t size;
+  FILE *to = open_memstream(&text, &size);
+  if (!to) return NULL;
+  print(run, to, format, values, count);
+  if (fclose(to) == 0) return text;
+  free(text);
+  return NULL;
 }
 
 void lsys_print(LsysRun *run, const char *format, const double *values, uint32_t count) {

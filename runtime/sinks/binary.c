@@ -3,7 +3,8 @@
 // All numbers are little-endian, whole ones of 8 bytes:
 //
 //   "LSYSWORD"  version (1)  bytes of a symbol (1 or 2)  number of kinds
-//   for each kind: arguments, bytes of its name, its name (UTF-8), zeros up to a multiple of 8
+//   for each kind: arguments, bytes of its name, its name (UTF-8; a label's with its text, @L("x = %g")), zeros up to
+//     a multiple of 8
 //   for each start word:
 //     blocks of up to 65,536 modules:
 //       modules (> 0)  arguments  the modules' symbols (numbers of kinds), zeros up to a multiple of 8
@@ -14,6 +15,7 @@
 #include "core/cut.h"
 #include "core/formats.h"
 #include "core/store.h"
+#include "lsys/quote.h"
 
 #include <string.h>
 
@@ -38,6 +40,23 @@ static bool write_padded(LsysOut *out, const void *bytes, size_t size) {
   return lsys_out_write(out, bytes, size) && lsys_out_write(out, zeros, -size % ALIGNMENT);
 }
 
+static bool write_name(BinarySink *binary, uint32_t kind) {
+  const char *symbol = binary->grammar->kinds[kind].symbol;
+  const char *text = binary->grammar->texts ? binary->grammar->texts[kind] : NULL;
+  size_t length = strlen(symbol), size = length + (text ? lsys_quoted_size(text) + 2 : 0);
+  char *name = lsys_memory_alloc(binary->memory, size + 1, 1);
+  if (!name) return false;
+  memcpy(name, symbol, length);
+  if (text) {
+    name[length] = '(';
+    *lsys_quote(name + length + 1, text) = ')';
+  }
+  write_whole(binary->out, size);
+  bool well = write_padded(binary->out, name, size);
+  lsys_memory_free(binary->memory, name, size + 1, 1);
+  return well;
+}
+
 static bool write_header(BinarySink *binary) {
   const LsysGrammar *grammar = binary->grammar;
   lsys_out_write(binary->out, "LSYSWORD", 8);
@@ -46,10 +65,8 @@ static bool write_header(BinarySink *binary) {
   write_whole(binary->out, grammar->kind_count);
   bool well = true;
   for (uint32_t i = 0; well && i < grammar->kind_count; i++) {
-    size_t length = strlen(grammar->kinds[i].symbol);
     write_whole(binary->out, grammar->kinds[i].arity);
-    write_whole(binary->out, length);
-    well = write_padded(binary->out, grammar->kinds[i].symbol, length);
+    well = write_name(binary, i);
   }
   return well;
 }

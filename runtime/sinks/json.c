@@ -1,8 +1,8 @@
 // json.c -- segments and polygons as numbers, for programs of the user's own:
 //   {"figures": [{"axiom": 1, "segments": [[x,y,z, x,y,z, width, colour, depth], ...],
-//     "polygons": [[colour, [x,y,z], ...], ...]}, ...]}
-// Segments come as they are drawn; polygons wait until the figure ends. By age, the last number of a segment is
-// the step in which its module was born, and colours go from 0 to 255 with it.
+//     "polygons": [[colour, [x,y,z], ...], ...], "labels": [[colour, [x,y,z], "text"], ...]}, ...]}
+// Segments come as they are drawn; polygons and labels wait until the figure ends. By age, the last number of a segment
+// is the step in which its module was born, and colours go from 0 to 255 with it.
 #include "core/formats.h"
 #include "core/message.h"
 #include "core/options.h"
@@ -33,9 +33,9 @@ typedef struct JsonSink {
   LsysColours colours;
   LsysRecolour recolour;
   LsysPress *press;  // of segments
-  LsysSpool polygons;
+  LsysSpool polygons, labels;
   uint64_t segments;  // of the figure
-  bool later_figure, later_polygon;
+  bool later_figure, later_polygon, later_label;
 } JsonSink;
 
 static JsonSink *sink_of(LsysGeometry *geometry) {
@@ -120,17 +120,38 @@ static bool polygon(LsysGeometry *geometry, const LsysVec3 *vertices, size_t cou
   return well && lsys_spool_write(&j->polygons, "]", 1);
 }
 
+// Of a text, one character as it stands in quotes.
+static char *put_character(char *to, char c) {
+  unsigned char byte = (unsigned char)c;
+  if (byte < ' ') return to + sprintf(to, "\\u%04x", byte);
+  if (c == '"' || c == '\\') *to++ = '\\';
+  *to++ = c;
+  return to;
+}
+
+static bool label(LsysGeometry *geometry, const LsysVec3 *at, const char *said, const LsysPen *pen) {
+  JsonSink *j = sink_of(geometry);
+  char text[4 * LSYS_NUMBER_SIZE], *to = text;
+  to += sprintf(to, "%s\n[%u,[", j->later_label ? "," : "", pen->colour);
+  j->later_label = true;
+  to = put_point(to, at);
+  to += sprintf(to, "],\"");
+  bool well = lsys_spool_write(&j->labels, text, (size_t)(to - text));
+  for (; well && *said; said++) well = lsys_spool_write(&j->labels, text, (size_t)(put_character(text, *said) - text));
+  return well && lsys_spool_write(&j->labels, "\"]", 2);
+}
+
 static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned pass) {
   (void)pass;
   JsonSink *j = (JsonSink *)sink;
   if (!j->turtle) j->turtle = lsys_turtle_create(run);
   if (!j->press) j->press = lsys_press_open(run->memory, run->threads, put_segments, write_segments, j);
-  if (!j->turtle || !j->press || !lsys_spool_open(&j->polygons)) return false;
+  if (!j->turtle || !j->press || !lsys_spool_open(&j->polygons) || !lsys_spool_open(&j->labels)) return false;
   if (j->colours.by != LSYS_BY_AGE) lsys_turtle_by_depth(j->turtle);
   lsys_turtle_begin(j->turtle, axiom,
                     lsys_recolour_begin(&j->recolour, &j->colours, 0, run->steps, j->turtle, &j->geometry));
   j->segments = 0;
-  j->later_polygon = false;
+  j->later_polygon = j->later_label = false;
   lsys_out_print(j->out, "%s{\"axiom\": %u, \"segments\": [", j->later_figure ? ",\n" : "{\"figures\": [\n", axiom + 1);
   j->later_figure = true;
   return true;
@@ -143,8 +164,10 @@ static bool take(LsysSink *sink, const LsysWord *part) {
 static bool end(LsysSink *sink) {
   JsonSink *j = (JsonSink *)sink;
   bool well = lsys_turtle_end(j->turtle) && lsys_press_finish(j->press) && lsys_out_print(j->out, "],\n\"polygons\": [")
-           && lsys_spool_copy(&j->polygons, j->out) && lsys_out_print(j->out, "]}");
+           && lsys_spool_copy(&j->polygons, j->out) && lsys_out_print(j->out, "],\n\"labels\": [")
+           && lsys_spool_copy(&j->labels, j->out) && lsys_out_print(j->out, "]}");
   lsys_spool_close(&j->polygons);
+  lsys_spool_close(&j->labels);
   return well;
 }
 
@@ -158,6 +181,7 @@ static void destroy(LsysSink *sink) {
   lsys_turtle_destroy(j->turtle);
   lsys_press_close(j->press);
   lsys_spool_close(&j->polygons);
+  lsys_spool_close(&j->labels);
   free(j);
 }
 
@@ -181,7 +205,7 @@ LsysSink *lsys_sink_json(const LsysSinkContext *context) {
     return NULL;
   }
   j->sink = (LsysSink){.passes = 1, .begin = begin, .take = take, .end = end, .finish = finish, .destroy = destroy};
-  j->geometry = (LsysGeometry){.strokes = strokes, .polygon = polygon};
+  j->geometry = (LsysGeometry){.strokes = strokes, .polygon = polygon, .label = label};
   j->out = context->out;
   j->colours = colours;
   return &j->sink;

@@ -6,9 +6,9 @@
 
 #include "core/memory.h"
 #include "core/message.h"
-#include "sinks/digits.h"
 #include "sinks/film.h"
 #include "sinks/layout.h"
+#include "sinks/lettering.h"
 #include "sinks/view.h"
 #include "turtle/turtle.h"
 
@@ -203,7 +203,7 @@ static bool label(LsysGeometry *geometry, const LsysVec3 *at, const char *text, 
   double longest = fmax(p->page.width, p->page.height);
   LsysPoint place = on_page(p, *at);
   place.z += 2 * longest;  // before everything
-  return lsys_digits(p->canvas, text, place, 0.014 * longest, p->palette.rgb[pen->colour]);
+  return lsys_lettering(p->canvas, &p->page, text, place, 0.014 * longest, p->palette.rgb[pen->colour]);
 }
 
 // ---- passes --------------------------------------------------------------

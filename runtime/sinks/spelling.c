@@ -4,6 +4,7 @@
 #include "sinks/spelling.h"
 
 #include "lsys/number.h"
+#include "lsys/quote.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -132,6 +133,16 @@ static bool add_names(LsysSpeller *speller, const LsysGrammar *grammar) {
   return well;
 }
 
+static bool add_text(LsysSpelling *kind, const char *text, LsysMemory *memory) {
+  kind->quoted_size = lsys_quoted_size(text);
+  kind->quoted = lsys_memory_alloc(memory, kind->quoted_size, 1);
+  if (!kind->quoted) return false;
+  lsys_quote(kind->quoted, text);
+  kind->parentheses = true;
+  kind->most += (uint32_t)kind->quoted_size + 1;
+  return true;
+}
+
 bool lsys_speller_open(LsysSpeller *speller, const LsysGrammar *grammar, LsysMemory *memory) {
   uint32_t count = grammar->kind_count;
   *speller = (LsysSpeller){.memory = memory, .kind_count = count, .longest = 1};
@@ -145,7 +156,8 @@ bool lsys_speller_open(LsysSpeller *speller, const LsysGrammar *grammar, LsysMem
     kind->arity = grammar->kinds[i].arity;
     kind->most = (uint32_t)longer(kind->length, LSYS_SHORT_SYMBOL) + 2 + kind->arity * (LSYS_NUMBER_SIZE + 1u);
     if (kind->length <= LSYS_SHORT_SYMBOL) memcpy(kind->padded, kind->symbol, kind->length);
-    kind->empty_parentheses = !kind->arity && strcmp(kind->symbol, ",") == 0;
+    kind->parentheses = kind->arity || strcmp(kind->symbol, ",") == 0;
+    if (grammar->texts && grammar->texts[i] && !add_text(kind, grammar->texts[i], memory)) return false;
     speller->symbols[i] = (LsysName){kind->symbol, kind->length};
     speller->letter_begins |= is_letter(kind->symbol[0]);
     speller->digit_begins |= is_digit(kind->symbol[0]);
@@ -155,12 +167,14 @@ bool lsys_speller_open(LsysSpeller *speller, const LsysGrammar *grammar, LsysMem
   qsort(speller->names, speller->name_count, sizeof *speller->names, compare);
   for (uint32_t i = 0; i < count; i++) {
     LsysSpelling *kind = &speller->kinds[i];
-    kind->careful = !kind->arity && is_careful(speller, (LsysName){kind->symbol, kind->length});
+    kind->careful = !kind->parentheses && is_careful(speller, (LsysName){kind->symbol, kind->length});
   }
   return true;
 }
 
 void lsys_speller_close(LsysSpeller *speller) {
+  for (uint32_t i = 0; speller->kinds && i < speller->kind_count; i++)
+    lsys_memory_free(speller->memory, speller->kinds[i].quoted, speller->kinds[i].quoted_size, 1);
   lsys_memory_free(speller->memory, speller->kinds, speller->kind_count, sizeof *speller->kinds);
   lsys_memory_free(speller->memory, speller->names, speller->name_room, sizeof *speller->names);
   lsys_memory_free(speller->memory, speller->symbols, speller->kind_count, sizeof *speller->symbols);

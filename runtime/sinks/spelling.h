@@ -14,8 +14,10 @@ typedef struct LsysSpelling {
   uint32_t length;
   uint32_t most;  // bytes that a module can take, numbers and slack included
   uint16_t arity;
-  bool careful;            // a blank may have to follow
-  bool empty_parentheses;  // `,()`: a bare comma would separate start words
+  bool careful;      // a blank may have to follow
+  bool parentheses;  // arguments, a label's text, or `,()`: a bare comma would separate start words
+  char *quoted;      // a label's text in quotes; NULL: none
+  size_t quoted_size;
 } LsysSpelling;
 
 // A name that the scanner takes as one symbol.

@@ -76,8 +76,13 @@ static char *put_module(Printed *cache, char *to, const LsysSpelling *spelling, 
   else
     memcpy(to, spelling->symbol, spelling->length);
   to += spelling->length;
-  if (!spelling->arity && !spelling->empty_parentheses) return to;
+  if (!spelling->parentheses) return to;
   *to++ = '(';
+  if (spelling->quoted) {
+    memcpy(to, spelling->quoted, spelling->quoted_size);
+    to += spelling->quoted_size;
+    if (spelling->arity) *to++ = ',';
+  }
   for (unsigned i = 0; i < spelling->arity; i++) {
     if (i) *to++ = ',';
     to = put_number(cache, to, arg[i]);
@@ -156,8 +161,7 @@ static bool write_plain(TextSink *text, const LsysWord *part) {
 // ---- words that may need blanks ----------------------------------------------
 
 static bool needs_blank(const TextSink *text, const LsysSpelling *spelling, const char *at, size_t available) {
-  bool closed = spelling->arity || spelling->empty_parentheses;
-  return spelling->careful && !closed && lsys_speller_scan(&text->speller, at, available) != spelling->length;
+  return spelling->careful && lsys_speller_scan(&text->speller, at, available) != spelling->length;
 }
 
 // Writes the modules of the window of which enough text follows to decide on a
@@ -321,7 +325,7 @@ static bool open_tables(TextSink *text) {
     const LsysSpelling *spelling = &text->speller.kinds[i];
     text->careful |= spelling->careful;
     parametric |= spelling->arity > 0;
-    single &= spelling->length == 1 && !spelling->arity && !spelling->empty_parentheses;
+    single &= spelling->length == 1 && !spelling->parentheses;
   }
   if (parametric) {
     text->printed = lsys_memory_alloc(text->memory, 1 << CACHE_BITS, sizeof *text->printed);

@@ -124,6 +124,7 @@ bool turtle_act(LsysTurtle *t, uint32_t kind, const double *arg) {
     }
   }
   if (t->skip_next) return turtle_draw_surface(t, kind, arg);
+  if (info->text) return turtle_write_text(t, kind, arg);
   TurtleAction *action = actions[info->op];
   const int given = info->arity;
   if (!action || given < lsys_turtle[info->op].least) return true;

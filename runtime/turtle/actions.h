@@ -37,5 +37,6 @@ bool turtle_spline_draw(LsysTurtle *t);  // `}`
 // shapes.c
 TurtleAction act_surface, act_circle, act_disc, act_sphere, act_box, act_label;
 bool turtle_draw_surface(LsysTurtle *t, uint32_t kind, const double *arg);  // the module behind `~`
+bool turtle_write_text(LsysTurtle *t, uint32_t kind, const double *arg);    // of a label that has one
 
 #endif

@@ -3,7 +3,11 @@
 // Sources: ABOP p. 119 (~); cpfg's manual.
 #include "turtle/actions.h"
 
+#include "core/message.h"
+#include "core/print.h"
+
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { DISC_CORNERS = 32 };
@@ -84,13 +88,27 @@ bool act_box(LsysTurtle *t, int given, const double *arg) {
 
 // ---- labels --------------------------------------------------------------
 
+static bool write_label(LsysTurtle *t, const char *text) {
+  LsysPen pen = turtle_pen(t);
+  LsysVec3 at = here(t);
+  return turtle_flush(t) && t->to->label(t->to, &at, text, &pen);
+}
+
 bool act_label(LsysTurtle *t, int given, const double *arg) {
   (void)given;
   char text[32];
   snprintf(text, sizeof text, "%.6g", arg[0]);
-  LsysPen pen = turtle_pen(t);
-  LsysVec3 at = here(t);
-  return !t->to->label || (turtle_flush(t) && t->to->label(t->to, &at, text, &pen));
+  return !t->to->label || write_label(t, text);
+}
+
+bool turtle_write_text(LsysTurtle *t, uint32_t kind, const double *arg) {
+  if (!t->to->label) return true;
+  // The driver's run, as every sink has it.
+  char *text = lsys_print_text((LsysRun *)t->run, t->kind[kind].text, arg, t->kind[kind].width);
+  if (!text) lsys_error("out of memory for a label");
+  bool well = text && write_label(t, text);
+  free(text);
+  return well;
 }
 
 // ---- surfaces ------------------------------------------------------------

@@ -103,6 +103,7 @@ typedef struct KindInfo {
   uint16_t width;    // arity, exact
   uint8_t colour;    // with by_kind: of what comes next
   uint32_t surface;  // the grammar's surface of this name, or NO_SURFACE
+  const char *text;  // what a label says, or NULL
 } KindInfo;
 
 enum { NO_SURFACE = UINT16_MAX, KEEP_COLOUR = UINT8_MAX };

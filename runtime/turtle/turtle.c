@@ -158,9 +158,13 @@ static void set_plain_arg(const LsysTurtle *t, PlainKind *p, const LsysKind *kin
 }
 
 static void set_kind(LsysTurtle *t, uint32_t i, const LsysKind *kind) {
-  uint32_t surface = surface_of(t->run->grammar, kind->symbol);
-  t->kind[i] =
-    (KindInfo){kind->turtle, (uint8_t)(kind->arity > 255 ? 255 : kind->arity), kind->arity, KEEP_COLOUR, surface};
+  const LsysGrammar *g = t->run->grammar;
+  t->kind[i] = (KindInfo){.op = kind->turtle,
+                          .arity = (uint8_t)(kind->arity > 255 ? 255 : kind->arity),
+                          .width = kind->arity,
+                          .colour = KEEP_COLOUR,
+                          .surface = surface_of(g, kind->symbol),
+                          .text = g->texts ? g->texts[i] : NULL};
   PlainKind *p = &t->plain_kind[i];
   *p = (PlainKind){.act = PLAIN_OTHER, .skip = kind->arity};
   const uint32_t n = t->directions.count, angle = t->directions.angle, back = (n - angle) % n;

@@ -241,6 +241,10 @@ struct LsysGrammar {
 
   uint32_t contour_count;
   const LsysContour *contours;
+
+  // What labels say, kind_count of them: formats like lsys_print's, with a conversion for each argument; NULL of kinds
+  // that say nothing. NULL: no kind does.
+  const char *const *texts;
 };
 
 // ---- what compiled code calls ----------------------------------------------
