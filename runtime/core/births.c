@@ -60,12 +60,14 @@ static uint32_t first_kind(const LsysGrammar *grammar, const LsysWord *word) {
   return grammar->flags & LSYS_GRAMMAR_WIDE ? word->sym[0] | (uint32_t)word->sym[1] << 8 : word->sym[0];
 }
 
-// The modules in front that stay for ever.
+// The modules in front that stay for ever, and whose keys nobody asks for: those change with every step.
 static uint64_t terminals(const LsysGrammar *grammar, LsysWord word) {
   unsigned width = lsys_symbol_width(grammar);
   uint64_t count = 0;
-  for (; count < word.nsym; count++, word.sym += width)
-    if (!(grammar->kinds[first_kind(grammar, &word)].flags & LSYS_KIND_TERMINAL)) break;
+  for (; count < word.nsym; count++, word.sym += width) {
+    uint8_t flags = grammar->kinds[first_kind(grammar, &word)].flags;
+    if (!(flags & LSYS_KIND_TERMINAL) || flags & LSYS_KIND_KEY) break;
+  }
   return count;
 }
 

@@ -16,6 +16,9 @@ for steps in 0 1 3; do
   ./age -n $steps --colour-by age --palette red,green,blue,white -o one.svg && colours < one.svg
   lsysc interp age.lsys -n $steps --colour-by age --palette red,green,blue,white -o two.svg && cmp one.svg two.svg
 done
+# What is shown draws with the keys of modules that stay.
+printf 'axiom: D\nA --> CD\nD --> A\ninterpretation\nC --> F : 1\nC --> f : 1\n' > keys.lsys
+for engine in run interp; do lsysc $engine keys.lsys -n 20 --colour-by age --format json | grep '^\[' | grep -o '[0-9]*\]' | tr '\n' ' '; echo; done
 # Whatever the grammar, and the engine: contexts, letters alone, decomposition, state, rings, predecessors of several
 # modules, the cut, sub-L-systems, and homomorphism that sees neighbours.
 printf 'axiom: A(1)F(1)\nF(x) < A(y) --> F(x)\nA(x) > F(y) --> A(x+1)F(y)\n' > context.lsys

@@ -19,6 +19,9 @@ lsysc run letter.lsys --format svg --size 100x100 | grep path
 printf 'axiom: F(1)@L("AAAA")\n' > letter.lsys
 lsysc run letter.lsys --format svg --size 100x20 | grep path
 lsysc run labels.lsys --format obj | grep -c '^v ' && lsysc run labels.lsys --format binary | strings | grep @L
+# Blocks of the word that come again have theirs, too.
+printf 'axiom: X\nX --> X[@L("left")+X]@L(3)-X@L("right")\nsteps: 8\ninterpretation\nX --> F\n' > blocks.lsys
+lsysc run blocks.lsys -o one.json && lsysc interp blocks.lsys -o two.json && cmp one.json two.json && grep -c left one.json
 # Quotes and line ends survive fmt in blocks, too.
 printf 'axiom: A\nEnd: {\n  printf("a\\"b\\\\\\n%%g\\n", 3);\n}\nsteps: 0\n' > print.lsys
 lsysc fmt print.lsys | cmp - print.lsys && lsysc interp print.lsys
