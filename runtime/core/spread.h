@@ -9,7 +9,7 @@
 typedef struct LsysSpread LsysSpread;
 
 // Modules that a segment has at least, but the word's last one, and at most when it is cut.
-enum { LSYS_STRETCH = 1 << 15 };
+enum { LSYS_STRETCH = 1 << 14 };
 
 // Whether nothing in a step of the grammar depends on what happened before in that step.
 bool lsys_spread_applies(const LsysGrammar *grammar);

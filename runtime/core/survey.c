@@ -10,8 +10,8 @@
 #define INLINE static inline __attribute__((always_inline))
 
 enum {
-  AT_ONCE = 8,  // modules
-  BLOCK = 32,   // letters that are looked at together
+  WORD = 8,    // letters in 64 bits
+  BLOCK = 64,  // letters that are looked at together
 };
 
 // What `[` saves on the path.
@@ -38,38 +38,75 @@ static void add(LsysRun *run, SurveyBrackets *to, SurveyBracket bracket) {
 
 // ---- one segment -------------------------------------------------------------
 
-// Modules one by one; where top would be below 0 a branch ends that began elsewhere.
-INLINE ptrdiff_t pass_brackets(Survey *survey, const uint8_t **stack, ptrdiff_t top, const ScanTables *tables,
-                               LsysRun *run, const uint8_t *at, const uint8_t *end, bool wide) {
-  for (; at < end; at += 1 + wide) {
-    stack[top] = at;
-    top += tables->turn[symbol(at, wide)];
-    if (top >= 0) continue;
-    top = 0;
-    add(run, &survey->closes, (SurveyBracket){.sym = at});
-  }
-  return top;
+// From one end of a segment to the other: `[` behind which no `]` of its own follows, or, going forward, `]` before
+// which there is no `[`.
+typedef struct Search {
+  const ScanTables *tables;
+  const uint8_t *at, *end;  // going back, modules below `at` down to `end`
+  ptrdiff_t depth;          // brackets that wait for their partners
+} Search;
+
+static bool has_blocks(const ScanTables *tables) {
+  return !tables->wide && tables->open != LSYS_NO_MODULE && tables->close != LSYS_NO_MODULE;
 }
 
-// stack[top] is the module at hand until one on the same axis takes its place: `[` that no `]` follows are left over.
-// Words are hard to guess: some modules are passed at once, with room below the stack, and again where that was needed.
-INLINE void find_brackets(Survey *survey, const uint8_t **stack, const ScanTables *tables, LsysRun *run,
-                          const LsysSegment *segment, bool wide) {
-  const uint8_t *at = segment->sym;
-  const ptrdiff_t bytes = AT_ONCE * (1 + wide);
-  ptrdiff_t top = 0;
-  for (; segment->end - at >= bytes; at += bytes) {
-    ptrdiff_t after = top, below = 0;
-#pragma GCC unroll 8
-    for (int i = 0; i < AT_ONCE; i++) {
-      stack[after] = at + i * (1 + wide);
-      after += tables->turn[symbol(at + i * (1 + wide), wide)];
-      below |= after;
+// Passes words of letters that hold no bracket to be found: none whose partner would have to come before all that wait.
+// Byte i of `sums` is what the depth gains in the first i + 1 letters, and i + 1 more, so that none is negative.
+INLINE void skip_words(Search *search, bool back) {
+  const uint64_t each = UINT64_C(0x0101010101010101), high = each << 7;
+  const uint8_t up = (uint8_t)(back ? search->tables->close : search->tables->open);
+  const uint8_t down = (uint8_t)(back ? search->tables->open : search->tables->close);
+  while ((back ? search->at - search->end : search->end - search->at) >= BLOCK) {
+    const uint8_t *letters = back ? search->at - BLOCK : search->at;
+    uint8_t turn[BLOCK];
+    for (int i = 0; i < BLOCK; i++) turn[i] = (uint8_t)(1 + (letters[i] == up) - (letters[i] == down));
+    for (int i = 0; i < BLOCK; i += WORD) {
+      uint64_t word, level = search->depth < WORD ? (uint64_t)search->depth : WORD;
+      memcpy(&word, back ? turn + BLOCK - WORD - i : turn + i, sizeof word);
+      uint64_t sums = (back ? __builtin_bswap64(word) : word) * each;
+      if (~(sums + level * each + (high - UINT64_C(0x0807060504030201))) & high) return;
+      search->depth += (ptrdiff_t)(sums >> 56) - WORD;
+      search->at += back ? -WORD : WORD;
     }
-    top = below < 0 ? pass_brackets(survey, stack, top, tables, run, at, at + bytes, wide) : after;
   }
-  top = pass_brackets(survey, stack, top, tables, run, at, segment->end, wide);
-  for (ptrdiff_t i = 0; i < top; i++) add(run, &survey->opens, (SurveyBracket){.sym = stack[i]});
+}
+
+INLINE const uint8_t *find_lone(Search *search, bool back) {
+  const ScanTables *tables = search->tables;
+  const ptrdiff_t width = 1 + tables->wide;
+  bool skips = has_blocks(tables);
+  while (search->at != search->end) {
+    for (int i = 0; i < WORD && search->at != search->end; i++) {
+      const uint8_t *at = back ? search->at - width : search->at;
+      int turn = tables->turn[symbol(at, tables->wide)];
+      search->at = back ? at : at + width;
+      search->depth += back ? -turn : turn;
+      if (search->depth >= 0) continue;
+      search->depth = 0;
+      return at;
+    }
+    if (skips) skip_words(search, back);
+  }
+  return NULL;
+}
+
+static const uint8_t *next_close(Search *search) {
+  return find_lone(search, false);
+}
+
+static const uint8_t *last_open(Search *search) {
+  return find_lone(search, true);
+}
+
+static void find_brackets(Survey *survey, const ScanTables *tables, LsysRun *run, const LsysSegment *segment) {
+  Search ahead = {.tables = tables, .at = segment->sym, .end = segment->end};
+  const uint8_t *at;
+  while ((at = next_close(&ahead))) add(run, &survey->closes, (SurveyBracket){.sym = at});
+  Search back = {.tables = tables, .at = segment->end, .end = segment->sym};
+  SurveyBrackets *opens = &survey->opens;
+  opens->count = (size_t)ahead.depth;
+  opens->at = scan_array(run, opens->at, &opens->room, opens->count, sizeof *opens->at);
+  for (size_t i = opens->count; i-- > 0;) opens->at[i] = (SurveyBracket){.sym = last_open(&back)};
 }
 
 // The places of arguments behind the brackets, which stand in order.
@@ -105,8 +142,8 @@ INLINE void find_branches(Survey *survey, SurveyBracket *stack, const ScanTables
 
 static void find(Survey *survey, SurveyStack *stack, const ScanTables *tables, LsysRun *run, const LsysSegment *segment,
                  uint32_t number) {
-  size_t room = (size_t)(segment->end - segment->sym) / (1u + tables->wide) + 1;
   if (segment->skip) {
+    size_t room = (size_t)(segment->end - segment->sym) / (1u + tables->wide) + 1;
     stack->at = scan_array(run, stack->at, &stack->room, room, sizeof *stack->at);
     if (tables->wide)
       find_branches(survey, stack->at, tables, run, segment, number, true);
@@ -114,48 +151,19 @@ static void find(Survey *survey, SurveyStack *stack, const ScanTables *tables, L
       find_branches(survey, stack->at, tables, run, segment, number, false);
     return;
   }
-  stack->sym = scan_array(run, stack->sym, &stack->sym_room, AT_ONCE + room, sizeof *stack->sym);
-  if (tables->wide)
-    find_brackets(survey, stack->sym + AT_ONCE, tables, run, segment, true);
-  else
-    find_brackets(survey, stack->sym + AT_ONCE, tables, run, segment, false);
+  find_brackets(survey, tables, run, segment);
   if (tables->parametric) find_arguments(survey, tables, segment);
 }
 
-static bool has_blocks(const ScanTables *tables) {
-  return !tables->wide && tables->open != LSYS_NO_MODULE && tables->close != LSYS_NO_MODULE;
+// The `[` of the branch whose `]` stands at `at`, and the other way round; it is there.
+static const uint8_t *branch_before(const ScanTables *tables, const uint8_t *begin, const uint8_t *at) {
+  Search back = {.tables = tables, .at = at, .end = begin};
+  return last_open(&back);
 }
 
-// How many brackets there are among BLOCK letters.
-INLINE void count_brackets(const uint8_t *at, uint8_t open, uint8_t close, size_t *opens, size_t *closes) {
-  uint8_t o = 0, c = 0;
-  for (int i = 0; i < BLOCK; i++) {
-    o = (uint8_t)(o + (at[i] == open));
-    c = (uint8_t)(c + (at[i] == close));
-  }
-  *opens = o;
-  *closes = c;
-}
-
-// Skips letters of finished branches, `depth` of which are around the place: forward, or back.
-static const uint8_t *skip_ahead(const ScanTables *tables, const uint8_t *at, const uint8_t *end, size_t *depth) {
-  size_t opens, closes;
-  for (; end - at >= BLOCK; at += BLOCK) {
-    count_brackets(at, (uint8_t)tables->open, (uint8_t)tables->close, &opens, &closes);
-    if (closes >= *depth) break;
-    *depth += opens - closes;
-  }
-  return at;
-}
-
-static const uint8_t *skip_back(const ScanTables *tables, const uint8_t *begin, const uint8_t *at, size_t *depth) {
-  size_t opens, closes;
-  for (; at - begin >= BLOCK; at -= BLOCK) {
-    count_brackets(at - BLOCK, (uint8_t)tables->open, (uint8_t)tables->close, &opens, &closes);
-    if (opens >= *depth) break;
-    *depth += closes - opens;
-  }
-  return at;
+static const uint8_t *branch_behind(const ScanTables *tables, const uint8_t *at, const uint8_t *end) {
+  Search ahead = {.tables = tables, .at = at + 1, .end = end};
+  return next_close(&ahead);
 }
 
 // The last seen modules of an axis between begin and at, which no branch enters or leaves: at most the window, and at
@@ -164,18 +172,15 @@ static uint32_t look_back(const ScanTables *tables, const uint8_t *begin, const 
                           LsysNeighbour *near) {
   const uint8_t *class = tables->grammar->views->context_class;
   uint32_t count = 0, most = window(tables) ? window(tables) : 1;
-  bool skips = has_blocks(tables) && !tables->parametric;
-  const uint8_t *next = at;  // where it is worth trying to skip
   size_t depth = 0;
   while (at > begin && count < most) {
-    if (skips && depth && at <= next) {
-      at = skip_back(tables, begin, at, &depth);
-      next = at - BLOCK;
-    }
     at -= 1 + tables->wide;
     uint32_t kind = symbol(at, tables->wide);
     arg -= tables->arity[kind];
-    if (class[kind] == LSYS_CLASS_CLOSE) depth++;
+    if (kind == tables->close && !tables->parametric)
+      at = branch_before(tables, begin, at);
+    else if (class[kind] == LSYS_CLASS_CLOSE)
+      depth++;
     if (class[kind] == LSYS_CLASS_OPEN) depth--;
     if (class[kind] != LSYS_CLASS_SEEN || depth) continue;
     if (count < window(tables)) near[count] = (LsysNeighbour){.kind = kind, .arg = arg};
@@ -202,16 +207,9 @@ static void find_near(Survey *survey, const ScanTables *tables, LsysRun *run, co
 
 static uint32_t look_ahead(const ScanTables *tables, const uint8_t *at, const uint8_t *end) {
   const uint8_t *class = tables->grammar->views->context_class;
-  const uint8_t *next = at;  // where it is worth trying to skip
-  size_t depth = 0;
   for (; at < end; at++) {
-    if (depth && at >= next && has_blocks(tables)) {
-      at = skip_ahead(tables, at, end, &depth);
-      next = at + BLOCK;
-    }
-    if (class[*at] == LSYS_CLASS_CLOSE) depth--;
-    if (class[*at] == LSYS_CLASS_SEEN && !depth) return *at;
-    if (class[*at] == LSYS_CLASS_OPEN) depth++;
+    if (class[*at] == LSYS_CLASS_SEEN) return *at;
+    if (*at == tables->open) at = branch_behind(tables, at, end);
   }
   return LSYS_NO_MODULE;
 }
@@ -245,7 +243,6 @@ void survey_free(Survey *survey, LsysRun *run) {
 
 void survey_stack_free(SurveyStack *stack, LsysRun *run) {
   scan_array_free(run, stack->at, stack->room, sizeof *stack->at);
-  scan_array_free(run, stack->sym, stack->sym_room, sizeof *stack->sym);
 }
 
 // ---- the path ----------------------------------------------------------------

@@ -30,8 +30,7 @@ typedef struct Survey {
 // Room of one thread.
 typedef struct SurveyStack {
   SurveyBracket *at;
-  const uint8_t **sym;
-  size_t room, sym_room;
+  size_t room;
 } SurveyStack;
 
 // All segments together, from step to step.
