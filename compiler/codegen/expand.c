@@ -220,13 +220,13 @@ static void prepare(Rewrite *rewrite, const Productions *productions) {
   }
 }
 
-// With one step to go, what a draw alone decides is looked up.
+// With one step to go, nothing branches.
 static void define_leaf(Rewrite *rewrite) {
   Ir *ir = rewrite->scope.ir;
   LLVMBasicBlockRef leaf = ir_block(ir, "leaf"), more = ir_block(ir, "more");
   ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntEQ, rewrite->steps, ir_int(ir, 1), ""), leaf, more);
   ir_at(ir, leaf);
-  leaf_write(rewrite, rewrite->kind, rewrite->scope.key);
+  leaf_write(rewrite, &(Derived){.kind = rewrite->kind, .args = rewrite->args, .key = rewrite->scope.key});
   flow_finish(rewrite);
   ir_at(ir, more);
 }

@@ -17,21 +17,24 @@ static LLVMValueRef truth(Ir *ir, LLVMValueRef test) {
   return LLVMBuildSelect(ir->builder, test, ir_double(ir, 1), ir_double(ir, 0), "");
 }
 
-// Nothing that costs, fails or counts: evaluating it needlessly is cheaper than a branch.
-static bool cheap(const Expr *expr, unsigned *budget) {
+bool expr_cheap(const Expr *expr, unsigned *budget) {
+  enum { DIVISION = 8 };
   if (expr->kind == EXPR_CALL || expr->kind == EXPR_APPLY || expr->kind == EXPR_ELEMENT || expr->kind == EXPR_STRING)
     return false;
-  if (expr->op == OP_MOD || expr->op == OP_POW || expr->op == OP_DIV) return false;
-  if (*budget == 0) return false;
-  --*budget;
+  bool operates = expr->kind == EXPR_BINARY;
+  if (operates && (expr->op == OP_MOD || expr->op == OP_POW)) return false;
+  unsigned cost = operates && expr->op == OP_DIV ? DIVISION : 1;
+  if (*budget < cost) return false;
+  *budget -= cost;
   for (uint32_t i = 0; i < expr->count; i++)
-    if (!cheap(expr->args[i], budget)) return false;
+    if (!expr_cheap(expr->args[i], budget)) return false;
   return true;
 }
 
+// Less than a branch costs.
 static bool is_cheap(const Expr *expr) {
   unsigned budget = 6;
-  return cheap(expr, &budget);
+  return expr_cheap(expr, &budget);
 }
 
 // ---- values of the run -------------------------------------------------------

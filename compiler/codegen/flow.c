@@ -141,16 +141,17 @@ static void write_last(Rewrite *rewrite, const Production *production, const Der
   size_t count = production->successor.count;
   bool leaf = leaf_kind(ir, rewrite->kind);
   uint32_t leaves = leaf_room(ir, &production->successor);
-  unsigned levels = leaf ? 0 : fuse_levels(ir, production);
-  if (!levels && !leaves) return;
+  unsigned levels = fuse_levels(ir, production);
+  if (levels <= leaf && !leaves) return;
+  bool by_leaves = leaves && levels < 2;
+  if (by_leaves) levels = 2;
   LLVMBasicBlockRef more = ir_block(ir, "more");
   LLVMValueRef choice = LLVMBuildSwitch(ir->builder, rewrite->steps, more, levels + 1);
-  for (unsigned level = 1; level <= (leaves ? 2 : levels); level++) {
-    if (level == 1 && leaf) continue;
+  for (unsigned level = leaf ? 2 : 1; level <= levels; level++) {
     LLVMBasicBlockRef block = ir_block(ir, "last");
     LLVMAddCase(choice, ir_int(ir, level), block);
     ir_at(ir, block);
-    if (level == 2 && leaves)
+    if (level == 2 && by_leaves)
       leaf_write_word(rewrite, modules, count, leaves);
     else
       fuse_write(rewrite, modules, count, level - 1);

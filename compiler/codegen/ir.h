@@ -102,6 +102,7 @@ bool ir_is_double(LLVMValueRef value, double *number);  // true for a constant
 
 LLVMValueRef ir_load(Ir *ir, LLVMTypeRef type, LLVMValueRef object, LLVMTypeRef object_type, unsigned field);
 void ir_store(Ir *ir, LLVMValueRef value, LLVMValueRef object, LLVMTypeRef object_type, unsigned field);
+void ir_mark(Ir *ir, LLVMValueRef instruction, const char *name);  // by metadata that is empty
 void ir_mark_invariant(Ir *ir, LLVMValueRef load);  // what it reads never changes while derivation code runs
 LLVMValueRef ir_advance(Ir *ir, LLVMTypeRef element, LLVMValueRef pointer, LLVMValueRef count);
 
@@ -149,8 +150,11 @@ typedef struct Scope {
   bool constant_values;  // values do not change while this code runs
 } Scope;
 
-LLVMValueRef expr_value(Scope *scope, const Expr *expr);       // a double
-LLVMValueRef expr_test(Scope *scope, const Expr *expr);        // an i1: it holds
+LLVMValueRef expr_value(Scope *scope, const Expr *expr);  // a double
+LLVMValueRef expr_test(Scope *scope, const Expr *expr);   // an i1: it holds
+// True if nothing in it fails, counts or calls, and all of it costs no more instructions than the budget, which
+// shrinks.
+bool expr_cheap(const Expr *expr, unsigned *budget);
 LLVMValueRef expr_holds(Ir *ir, LLVMValueRef value);           // an i1
 LLVMValueRef expr_value_address(Scope *scope, uint32_t slot);  // of an entry of the run's value array
 LLVMValueRef expr_element_address(Scope *scope, uint32_t array, Expr *const *index, uint32_t count);
@@ -273,6 +277,12 @@ void line_reserve(Rewrite *rewrite, uint32_t count);  // one check for all that 
 // A row of symbols alone, copied with so many bytes, of which the modules behind length are overwritten by what
 // follows.
 void line_copy_row(Rewrite *rewrite, LLVMValueRef symbols, uint32_t bytes, LLVMValueRef length, uint32_t longest);
+// Symbols in an integer (line_symbols) and arguments, of which so many count; at most `longest` modules. What stands
+// behind them is overwritten by what follows.
+void line_pick(Rewrite *rewrite, LLVMValueRef symbols, LLVMValueRef count, uint32_t longest, LLVMValueRef *args,
+               uint32_t arguments, LLVMValueRef arg_count);
+LLVMValueRef line_symbols(Ir *ir, const KindId *kinds, size_t count, uint32_t places);  // 8 bytes at most
+uint32_t line_symbol_bytes(const Ir *ir);                                               // of one symbol
 // One module whose symbol is known at run time only.
 void line_copy(Rewrite *rewrite, LLVMValueRef symbol, LLVMValueRef *args, uint32_t arity, LLVMValueRef key);
 
@@ -280,9 +290,14 @@ void line_copy(Rewrite *rewrite, LLVMValueRef symbol, LLVMValueRef *args, uint32
 unsigned fuse_levels(Ir *ir, const Production *production);                               // how many; 0: none
 void fuse_write(Rewrite *rewrite, const Derived *modules, size_t count, unsigned steps);  // after so many more steps
 
-// leaf.c: kinds whose last step a draw alone decides.
+// pick.c: kinds whose last step cheap guards decide.
+bool pick_kind(const Ir *ir, KindId kind);
+uint32_t pick_longest(const Ir *ir, KindId kind);  // modules that one becomes at most; 0: it is no such kind
+void pick_write(Rewrite *rewrite, KindId kind, LLVMValueRef *args);
+
+// leaf.c: kinds whose last step needs no branch: a draw alone decides, or cheap guards do.
 bool leaf_kind(const Ir *ir, KindId kind);
-void leaf_write(Rewrite *rewrite, KindId kind, LLVMValueRef key);  // what it becomes by the last step
+void leaf_write(Rewrite *rewrite, const Derived *module);  // what it becomes by the last step
 // Room that the word's last step takes if all that is not terminal in it is of such kinds; else 0.
 uint32_t leaf_room(const Ir *ir, const Word *word);
 void leaf_write_word(Rewrite *rewrite, const Derived *modules, size_t count, uint32_t room);

@@ -1,8 +1,9 @@
 // leaf.c -- the last steps of kinds that are always replaced, by a row that
 // nothing but constant weights decides: the draw is compared with constants,
 // which gives the row's number, and the row is copied from a table. Where all
-// modules of a successor end like this, the last two steps are straight-line
-// code without a branch that no processor could predict.
+// modules of a successor end like this, or by cheap guards (pick.c), the last
+// two steps are straight-line code without a branch that no processor could
+// predict.
 #include "analysis/passes.h"
 #include "codegen/ir.h"
 
@@ -16,13 +17,9 @@ typedef struct Leaf {
   uint32_t longest;
 } Leaf;
 
-static uint32_t width(const Ir *ir) {
-  return ir->description->flags & LSYS_GRAMMAR_WIDE ? 2 : 1;
-}
-
 // True if the word is written as it is when one step is left: without arguments, and no longer than a row.
 static bool is_row(const Ir *ir, const Word *word) {
-  if (word->count * width(ir) > ROW_BYTES) return false;
+  if (word->count * line_symbol_bytes(ir) > ROW_BYTES) return false;
   for (size_t i = 0; i < word->count; i++) {
     KindId kind = word->at[i].kind;
     if (ir->program->kinds[kind].arity || ir->facts->kinds[kind].decompositions.count) return false;
@@ -52,14 +49,14 @@ static bool find(const Ir *ir, KindId kind, Leaf *leaf) {
 
 bool leaf_kind(const Ir *ir, KindId kind) {
   Leaf leaf;
-  return find(ir, kind, &leaf);
+  return find(ir, kind, &leaf) || pick_kind(ir, kind);
 }
 
 // ---- the table of a kind's rows -----------------------------------------------
 
 static LLVMValueRef row_constant(Ir *ir, const Word *word) {
   LLVMValueRef symbols[ROW_BYTES];
-  unsigned count = ROW_BYTES / width(ir);
+  unsigned count = ROW_BYTES / line_symbol_bytes(ir);
   for (unsigned i = 0; i < count; i++)
     symbols[i] = LLVMConstInt(ir->types.symbol, i < word->count ? word->at[i].kind : 0, false);
   return LLVMConstArray2(ir->types.symbol, symbols, count);
@@ -94,12 +91,16 @@ static LLVMValueRef draw_row(Ir *ir, const Leaf *leaf, LLVMValueRef key) {
   return row;
 }
 
-void leaf_write(Rewrite *rewrite, KindId kind, LLVMValueRef key) {
+void leaf_write(Rewrite *rewrite, const Derived *module) {
   Ir *ir = rewrite->scope.ir;
+  KindId kind = module->kind;
   Leaf leaf;
-  find(ir, kind, &leaf);
-  LLVMValueRef row = draw_row(ir, &leaf, key), lengths = lengths_data(ir, kind, &leaf);
-  LLVMTypeRef type = LLVMArrayType2(ir->types.symbol, ROW_BYTES / width(ir));
+  if (!find(ir, kind, &leaf)) {
+    pick_write(rewrite, kind, module->args);
+    return;
+  }
+  LLVMValueRef row = draw_row(ir, &leaf, derived_key(ir, module)), lengths = lengths_data(ir, kind, &leaf);
+  LLVMTypeRef type = LLVMArrayType2(ir->types.symbol, ROW_BYTES / line_symbol_bytes(ir));
   LLVMValueRef symbols = ir_advance(ir, type, rows_data(ir, kind, &leaf), row);
   LLVMValueRef length = LLVMBuildLoad2(ir->builder, ir->types.i8, ir_advance(ir, ir->types.i8, lengths, row), "");
   length = LLVMBuildZExt(ir->builder, length, ir->types.i64, "length");
@@ -108,14 +109,22 @@ void leaf_write(Rewrite *rewrite, KindId kind, LLVMValueRef key) {
 
 // ---- two steps before the end -------------------------------------------------------
 
+// Modules that the last step makes of one, and what its code costs; 0: it is no leaf.
+static uint32_t longest(const Ir *ir, KindId kind, uint32_t *leaves) {
+  enum { COST_OF_PICK = 4 };
+  Leaf leaf;
+  bool drawn = find(ir, kind, &leaf);
+  *leaves += drawn ? 1 : COST_OF_PICK;
+  return drawn ? leaf.longest : pick_longest(ir, kind);
+}
+
 uint32_t leaf_room(const Ir *ir, const Word *word) {
   uint32_t leaves = 0, symbols = 0;
   for (size_t i = 0; i < word->count; i++) {
-    KindId kind = word->at[i].kind;
-    Leaf leaf = {.longest = 1};
-    if (ir->facts->kinds[kind].decompositions.count) return 0;
-    if (!ir->facts->kinds[kind].terminal && (!find(ir, kind, &leaf) || ++leaves > MOST_LEAVES)) return 0;
-    if ((symbols += leaf.longest) > MOST_SYMBOLS) return 0;
+    const KindFacts *facts = &ir->facts->kinds[word->at[i].kind];
+    uint32_t most = facts->terminal ? 1 : longest(ir, word->at[i].kind, &leaves);
+    if (facts->decompositions.count || !most || leaves > MOST_LEAVES) return 0;
+    if ((symbols += most) > MOST_SYMBOLS) return 0;
   }
   return leaves ? symbols + ROW_BYTES : 0;
 }
@@ -127,5 +136,5 @@ void leaf_write_word(Rewrite *rewrite, const Derived *modules, size_t count, uin
     if (ir->facts->kinds[modules[i].kind].terminal)
       line_add(rewrite, modules[i].kind, modules[i].args, NULL);
     else
-      leaf_write(rewrite, modules[i].kind, derived_key(ir, &modules[i]));
+      leaf_write(rewrite, &modules[i]);
 }

@@ -183,17 +183,26 @@ static uint32_t rounded(uint32_t count, uint32_t width) {
   return size / width;
 }
 
-// Up to 8 bytes are one integer in the target's byte order, more are copied from a constant.
+uint32_t line_symbol_bytes(const Ir *ir) {
+  return ir->description->flags & LSYS_GRAMMAR_WIDE ? 2 : 1;
+}
+
+// In the target's byte order.
+LLVMValueRef line_symbols(Ir *ir, const KindId *kinds, size_t count, uint32_t places) {
+  uint32_t width = line_symbol_bytes(ir), all = rounded(places, width);
+  bool little = LLVMByteOrder(LLVMGetModuleDataLayout(ir->module)) == LLVMLittleEndian;
+  uint64_t word = 0;
+  for (uint32_t i = 0; i < count; i++) word |= (uint64_t)kinds[i] << 8 * width * (little ? i : all - 1 - i);
+  return LLVMConstInt(LLVMIntTypeInContext(ir->context, 8 * width * all), word, false);
+}
+
+// Up to 8 bytes are one integer, more are copied from a constant.
 static void store_symbols(const Rewrite *rewrite, LLVMValueRef cursor, uint32_t count, uint32_t width) {
   Ir *ir = rewrite->scope.ir;
   const Line *line = &rewrite->line;
   uint32_t bytes = count * width;
-  bool little = LLVMByteOrder(LLVMGetModuleDataLayout(ir->module)) == LLVMLittleEndian;
   if (bytes <= 8) {
-    uint64_t word = 0;
-    for (uint32_t i = 0; i < line->kinds.count; i++)
-      word |= (uint64_t)line->kinds.at[i] << 8 * width * (little ? i : count - 1 - i);
-    LLVMValueRef value = LLVMConstInt(LLVMIntTypeInContext(ir->context, 8 * bytes), word, false);
+    LLVMValueRef value = line_symbols(ir, line->kinds.at, line->kinds.count, count);
     LLVMSetAlignment(LLVMBuildStore(ir->builder, value, cursor), width);
     return;
   }
@@ -224,7 +233,7 @@ void line_flush(Rewrite *rewrite) {
   Ir *ir = rewrite->scope.ir;
   Line *line = &rewrite->line;
   if (line->kinds.count == 0) return;
-  uint32_t width = ir->description->flags & LSYS_GRAMMAR_WIDE ? 2 : 1;
+  uint32_t width = line_symbol_bytes(ir);
   uint32_t copied = rounded((uint32_t)line->kinds.count, width);
   reserve(rewrite, copied);
   LLVMValueRef cursor = cursor_now(rewrite, STREAM_SYM);
@@ -258,6 +267,23 @@ void line_copy_row(Rewrite *rewrite, LLVMValueRef symbols, uint32_t bytes, LLVMV
   LLVMBuildMemCpy(ir->builder, cursor, 1, symbols, 1, ir_int(ir, bytes));
   LLVMBuildStore(ir->builder, ir_advance(ir, ir->types.symbol, cursor, length), place(rewrite, STREAM_SYM));
   use_room(rewrite, longest);
+}
+
+void line_pick(Rewrite *rewrite, LLVMValueRef symbols, LLVMValueRef count, uint32_t longest, LLVMValueRef *args,
+               uint32_t arguments, LLVMValueRef arg_count) {
+  Ir *ir = rewrite->scope.ir;
+  uint32_t width = line_symbol_bytes(ir);
+  line_flush(rewrite);
+  reserve(rewrite, rounded(longest, width));
+  LLVMValueRef cursor = cursor_now(rewrite, STREAM_SYM);
+  LLVMSetAlignment(LLVMBuildStore(ir->builder, symbols, cursor), width);
+  LLVMBuildStore(ir->builder, ir_advance(ir, ir->types.symbol, cursor, count), place(rewrite, STREAM_SYM));
+  use_room(rewrite, longest);
+  if (!arguments) return;
+  LLVMValueRef arg = cursor_now(rewrite, STREAM_ARG);
+  for (uint32_t i = 0; i < arguments; i++)
+    LLVMBuildStore(ir->builder, args[i], ir_advance(ir, ir->types.f64, arg, ir_int(ir, i)));
+  LLVMBuildStore(ir->builder, ir_advance(ir, ir->types.f64, arg, arg_count), place(rewrite, STREAM_ARG));
 }
 
 void line_copy(Rewrite *rewrite, LLVMValueRef symbol, LLVMValueRef *args, uint32_t arity, LLVMValueRef key) {

@@ -170,10 +170,14 @@ void ir_store(Ir *ir, LLVMValueRef value, LLVMValueRef object, LLVMTypeRef objec
   LLVMBuildStore(ir->builder, value, field_address(ir, object, object_type, field));
 }
 
-void ir_mark_invariant(Ir *ir, LLVMValueRef load) {
+void ir_mark(Ir *ir, LLVMValueRef instruction, const char *name) {
   LLVMMetadataRef empty = LLVMMDNodeInContext2(ir->context, NULL, 0);
-  unsigned kind = LLVMGetMDKindIDInContext(ir->context, "invariant.load", strlen("invariant.load"));
-  LLVMSetMetadata(load, kind, LLVMMetadataAsValue(ir->context, empty));
+  unsigned kind = LLVMGetMDKindIDInContext(ir->context, name, (unsigned)strlen(name));
+  LLVMSetMetadata(instruction, kind, LLVMMetadataAsValue(ir->context, empty));
+}
+
+void ir_mark_invariant(Ir *ir, LLVMValueRef load) {
+  ir_mark(ir, load, "invariant.load");
 }
 
 LLVMValueRef ir_advance(Ir *ir, LLVMTypeRef element, LLVMValueRef pointer, LLVMValueRef count) {
