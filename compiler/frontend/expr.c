@@ -66,6 +66,8 @@ double expr_pure(LsysFunction function, const double *args, uint32_t count) {
     return lsys_acos(args[0]);
   case LSYS_FN_ATAN:
     return count == 2 ? lsys_atan2(args[0], args[1]) : lsys_atan(args[0]);
+  case LSYS_FN_ATAN2:
+    return lsys_atan2(args[0], args[1]);
   case LSYS_FN_SQRT:
     return lsys_sqrt(args[0]);
   case LSYS_FN_EXP:

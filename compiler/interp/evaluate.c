@@ -158,6 +158,8 @@ static double call(Scope *scope, const Expr *expr) {
     return lsys_acos(x);
   case LSYS_FN_ATAN:
     return expr->count == 2 ? lsys_atan2(x, y) : lsys_atan(x);
+  case LSYS_FN_ATAN2:
+    return lsys_atan2(x, y);
   case LSYS_FN_SQRT:
     return lsys_sqrt(x);
   case LSYS_FN_EXP:

@@ -9,6 +9,8 @@
 #include "turtle/turtle.h"
 
 #include <dlfcn.h>
+#include <limits.h>
+#include <stdio.h>
 #include <string.h>
 
 typedef double Line[6];
@@ -45,8 +47,16 @@ const LsysEnvironmentInfo lsys_environment_table[LSYS_ENVIRONMENT_COUNT] = {
 #include "lsys/environments.def"
 };
 
+// A name without a slash is looked for where libraries are, and then here.
+static void *open_library(const char *path) {
+  void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+  char here[PATH_MAX];
+  if (library || strchr(path, '/') || (size_t)snprintf(here, sizeof here, "./%s", path) >= sizeof here) return library;
+  return dlopen(here, RTLD_NOW | RTLD_LOCAL);
+}
+
 static bool load(LsysSurroundings *s, const char *path) {
-  s->library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+  s->library = open_library(path);
   const LsysEnvironment *found = s->library ? dlsym(s->library, "lsys_environment") : NULL;
   if (!found) {
     lsys_error("cannot load the environment: %s", dlerror());

@@ -18,6 +18,7 @@ FILE
 lsysc interp plant.lsys
 lsysc run plant.lsys
 lsysc plant.lsys -o plant && ./plant
+sed s:./count:count: plant.lsys > here.lsys && lsysc run here.lsys
 lsysc fmt plant.lsys | head -1
 lsysc analyze plant.lsys | head -2
 rm count.so
