@@ -42,7 +42,7 @@ Compiled *compile_grammar(const char *path, const char *home) {
   const Facts *facts = facts_find(arena, program);
   Compiled *compiled = ARENA_NEW(arena, Compiled);
   *compiled = (Compiled){.arena = arena, .backend = load(arena, home)};
-  BackendOptions how = {.optimise = 2, .cpu = "native", .symbol = "lsys_grammar"};
+  BackendOptions how = {.optimise = 2, .cpu = "native", .symbol = "lsys_grammar", .split = true};
   compiled->jit = compiled->backend->jit(program, facts, describe(arena, program, facts), &how, lsys_symbols,
                                          lsys_symbol_count, diag);
   if (!compiled->jit) exit(1);

@@ -353,6 +353,9 @@ typedef struct Entries {
 } Entries;
 void freeze_grammar(Ir *ir, const Entries *entries);
 
+// split.c: removes from the module what is not in this one of BACKEND_PARTS parts.
+void split_keep(Ir *ir, const Entries *entries, unsigned part);
+
 // ---- debug.c: -g ---------------------------------------------------------------
 
 // All but debug_create do nothing without -g.
@@ -373,8 +376,9 @@ LLVMCodeGenOptLevel emit_selection(unsigned optimise);  // how well -O0 to -O3 s
 bool emit_passes(Ir *ir, LLVMTargetMachineRef machine);
 LLVMMemoryBufferRef emit_buffer(Ir *ir, LLVMTargetMachineRef machine, EmitKind kind);  // NULL after reporting
 
-Jit *jit_create(LLVMTargetMachineRef machine, LLVMMemoryBufferRef object, const char *symbol, const LsysSymbol *symbols,
-                size_t symbol_count, struct Diag *diag);
+// Takes over the machine and those objects that become NULL. NULL after reporting.
+Jit *jit_create(LLVMTargetMachineRef machine, LLVMMemoryBufferRef *objects, size_t object_count, const char *symbol,
+                const LsysSymbol *symbols, size_t symbol_count, struct Diag *diag);
 const LsysGrammar *jit_grammar(Jit *jit);
 void jit_free(Jit *jit);
 

@@ -1,4 +1,4 @@
-// jit.c -- an object in memory -> a grammar that runs in this process (ORC LLJIT).
+// jit.c -- objects in memory -> a grammar that runs in this process (ORC LLJIT).
 // The only names that the code may refer to are those given as symbols and the
 // memory functions that LLVM itself calls.
 #include "codegen/ir.h"
@@ -49,28 +49,29 @@ static bool bind(LLVMOrcLLJITRef engine, const LsysSymbol *symbols, size_t count
   return !failed(LLVMOrcJITDylibDefine(LLVMOrcLLJITGetMainJITDylib(engine), unit), diag);
 }
 
-static bool load(Jit *jit, LLVMMemoryBufferRef object, const char *symbol, struct Diag *diag) {
+static bool load(Jit *jit, LLVMMemoryBufferRef *objects, size_t count, const char *symbol, struct Diag *diag) {
   LLVMOrcJITDylibRef library = LLVMOrcLLJITGetMainJITDylib(jit->engine);
   LLVMOrcExecutorAddress address = 0;
-  if (failed(LLVMOrcLLJITAddObjectFile(jit->engine, library, object), diag)) return false;
+  for (size_t i = 0; i < count; i++) {
+    LLVMMemoryBufferRef object = objects[i];
+    objects[i] = NULL;
+    if (failed(LLVMOrcLLJITAddObjectFile(jit->engine, library, object), diag)) return false;
+  }
   if (failed(LLVMOrcLLJITLookup(jit->engine, &address, symbol), diag)) return false;
   jit->grammar = (const LsysGrammar *)(uintptr_t)address;
   return true;
 }
 
-Jit *jit_create(LLVMTargetMachineRef machine, LLVMMemoryBufferRef object, const char *symbol, const LsysSymbol *symbols,
-                size_t symbol_count, struct Diag *diag) {
+Jit *jit_create(LLVMTargetMachineRef machine, LLVMMemoryBufferRef *objects, size_t object_count, const char *symbol,
+                const LsysSymbol *symbols, size_t symbol_count, struct Diag *diag) {
   LLVMOrcLLJITBuilderRef builder = LLVMOrcCreateLLJITBuilder();
   LLVMOrcLLJITBuilderSetJITTargetMachineBuilder(builder,
                                                 LLVMOrcJITTargetMachineBuilderCreateFromTargetMachine(machine));
   LLVMOrcLLJITRef engine = NULL;
-  if (failed(LLVMOrcCreateLLJIT(&engine, builder), diag)) {
-    LLVMDisposeMemoryBuffer(object);
-    return NULL;
-  }
+  if (failed(LLVMOrcCreateLLJIT(&engine, builder), diag)) return NULL;
   Jit *jit = calloc(1, sizeof *jit);
   if (jit) jit->engine = engine;
-  if (jit && bind(engine, symbols, symbol_count, diag) && load(jit, object, symbol, diag)) return jit;
+  if (jit && bind(engine, symbols, symbol_count, diag) && load(jit, objects, object_count, symbol, diag)) return jit;
   failed(LLVMOrcDisposeLLJIT(engine), diag);
   free(jit);
   return NULL;

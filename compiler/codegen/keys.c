@@ -49,11 +49,11 @@ LLVMValueRef key_below(Ir *ir, LLVMValueRef bits, double sum, double bound) {
 
 // A helper function, so that the loop stands once in the module.
 static LLVMValueRef chain_function(Ir *ir) {
-  LLVMValueRef function = LLVMGetNamedFunction(ir->module, "key_chain");
+  LLVMValueRef function = LLVMGetNamedFunction(ir->module, "key.chain");
   if (function) return function;
   LLVMTypeRef i64 = ir->types.i64;
   LLVMBasicBlockRef here = LLVMGetInsertBlock(ir->builder);
-  function = LLVMAddFunction(ir->module, "key_chain", LLVMFunctionType(i64, (LLVMTypeRef[]){i64, i64}, 2, false));
+  function = LLVMAddFunction(ir->module, "key.chain", LLVMFunctionType(i64, (LLVMTypeRef[]){i64, i64}, 2, false));
   LLVMSetLinkage(function, LLVMInternalLinkage);
   LLVMBasicBlockRef entry = LLVMAppendBasicBlockInContext(ir->context, function, "entry");
   ir_at(ir, entry);

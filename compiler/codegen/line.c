@@ -91,16 +91,16 @@ static void take_back(const Rewrite *rewrite, LLVMValueRef result) {
 
 // ---- room ------------------------------------------------------------------------
 
-// flush(out, cursors) returns the cursors behind lsys_flush: a function of the module's own, so that the many places
+// cursors.flush(out, cursors) returns the cursors behind lsys_flush: a function of the module's own, so that the many places
 // that ask for room are one call each.
 static LLVMValueRef flush_function(Ir *ir) {
-  LLVMValueRef function = LLVMGetNamedFunction(ir->module, "flush");
+  LLVMValueRef function = LLVMGetNamedFunction(ir->module, "cursors.flush");
   if (function) return function;
   LLVMBasicBlockRef here = LLVMGetInsertBlock(ir->builder);
   LLVMMetadataRef location = LLVMGetCurrentDebugLocation2(ir->builder);
   LLVMTypeRef types[4] = {ir->types.ptr};
   unsigned count = 1 + line_cursor_types(ir, types + 1);
-  function = LLVMAddFunction(ir->module, "flush", LLVMFunctionType(line_result_type(ir), types, count, false));
+  function = LLVMAddFunction(ir->module, "cursors.flush", LLVMFunctionType(line_result_type(ir), types, count, false));
   LLVMSetLinkage(function, LLVMInternalLinkage);
   ir_attribute(ir, function, LLVMAttributeFunctionIndex, "nounwind");
   ir_attribute(ir, function, LLVMAttributeFunctionIndex, "cold");

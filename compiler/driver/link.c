@@ -197,14 +197,14 @@ static bool run_linker(const Strings *argv, const Guard *guard) {
   return report_error("linking failed: `%s` ended with status %d", argv->at[0], WEXITSTATUS(status));
 }
 
-static bool link_object(Arena *arena, const Options *options, const char *home, const char *object, const char *program,
-                        const Guard *guard) {
+static bool link_objects(Arena *arena, const Options *options, const char *home, const Strings *objects,
+                         const char *program, const Guard *guard) {
   Strings argv = {0};
   add_words(arena, &argv, options->linker);
   if (argv.count == 0) return report_error("`--linker` names no command");
   *VEC_PUSH(arena, &argv) = "-o";
   *VEC_PUSH(arena, &argv) = program;
-  *VEC_PUSH(arena, &argv) = object;
+  for (size_t i = 0; i < objects->count; i++) *VEC_PUSH(arena, &argv) = objects->at[i];
   *VEC_PUSH(arena, &argv) = arena_printf(arena, "%s/liblsysrt.a", home);
   add_words(arena, &argv, LSYSC_LINK_FLAGS);
   *VEC_PUSH(arena, &argv) = NULL;
@@ -212,15 +212,28 @@ static bool link_object(Arena *arena, const Options *options, const char *home, 
   return run_linker(&argv, guard);
 }
 
-bool link_program(Arena *arena, const Options *options, const char *home, const char *name, const void *object,
-                  size_t size) {
+// Temporary files with the objects; paths holds the names of those that exist, also where one could not be written.
+static bool write_objects(Arena *arena, const char *name, const Code *objects, Strings *paths) {
+  for (int i = 0; i < BACKEND_PARTS; i++) {
+    int file;
+    if (objects[i].size == 0) continue;
+    char *path = temporary(arena, name, ".o", &file);
+    if (!path) return false;
+    *VEC_PUSH(arena, paths) = path;
+    if (!fill(file, path, objects[i].bytes, objects[i].size)) return false;
+  }
+  return true;
+}
+
+bool link_program(Arena *arena, const Options *options, const char *home, const char *name,
+                  const Code objects[BACKEND_PARTS]) {
   Guard guard = guard_begin();
-  int file, program_file;
-  char *path = temporary(arena, name, ".o", &file);
-  char *program = path ? temporary(arena, name, "", &program_file) : NULL;
-  bool done = path && fill(file, path, object, size) && program && close(program_file) == 0
-           && link_object(arena, options, home, path, program, &guard);
-  if (path) unlink(path);
+  Strings paths = {0};
+  int file;
+  bool written = write_objects(arena, name, objects, &paths);
+  char *program = written ? temporary(arena, name, "", &file) : NULL;
+  bool done = program && close(file) == 0 && link_objects(arena, options, home, &paths, program, &guard);
+  for (size_t i = 0; i < paths.count; i++) unlink(paths.at[i]);
   if (program && !done) unlink(program);
   done = done && move(program, name, 0777);
   guard_end(&guard);

@@ -11,9 +11,15 @@ const char *output_name(Arena *arena, const Options *options, const char *gramma
 // Writes size bytes as the file `name` ("-": standard output), whole or not at all. False after printing why.
 bool output_write(Arena *arena, const char *name, const void *bytes, size_t size);
 
-// Links an object (size bytes) and the run time in folder `home` into the program `name`, whole or not at all.
-// SIGINT and the like remove what is unfinished. False after printing why; the linker prints its own errors.
-bool link_program(Arena *arena, const Options *options, const char *home, const char *name, const void *object,
-                  size_t size);
+// What the back end wrote; empty where it had no part.
+typedef struct Code {
+  char *bytes;
+  size_t size;
+} Code;
+
+// Links objects and the run time in folder `home` into the program `name`, whole or not at all. SIGINT and the like
+// remove what is unfinished. False after printing why; the linker prints its own errors.
+bool link_program(Arena *arena, const Options *options, const char *home, const char *name,
+                  const Code objects[BACKEND_PARTS]);
 
 #endif

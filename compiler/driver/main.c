@@ -91,6 +91,7 @@ static int run_jit(const Session *session) {
   BackendOptions how = session->options->backend;
   how.laps = session->laps;
   how.optimise = level_for(session);
+  how.split = true;
   Jit *jit = backend->jit(session->checked, session->facts, session->description, &how, lsys_symbols, lsys_symbol_count,
                           session->diag);
   if (!jit) return EXIT_FAILURE;
@@ -107,43 +108,51 @@ static int run_interp(const Session *session) {
   return status;
 }
 
+static void release(Code *code) {
+  for (int i = 0; i < BACKEND_PARTS; i++) free(code[i].bytes);
+}
+
 // Generated code as the back end writes it, in memory, so that no half-written file can be left behind.
-static char *generate(const Session *session, EmitKind kind, size_t *size) {
+static bool generate(const Session *session, EmitKind kind, Code code[BACKEND_PARTS]) {
   const Backend *backend = backend_load(session->arena, home_find(session->arena));
-  if (!backend) return NULL;
+  if (!backend) return false;
   laps_end(session->laps, "load LLVM");
   BackendOptions how = session->options->backend;
   how.emit = kind;
+  how.split = session->options->program;
   how.laps = session->laps;
-  char *code = NULL;
-  FILE *out = open_memstream(&code, size);
-  bool done = out && backend->emit(session->checked, session->facts, session->description, &how, out, session->diag);
-  if (out && fclose(out) != 0) done = report_error("out of memory");
-  if (done) return code;
-  free(code);
-  return NULL;
+  FILE *out[BACKEND_PARTS];
+  bool done = true;
+  for (int i = 0; i < BACKEND_PARTS; i++) {
+    code[i] = (Code){0};
+    out[i] = open_memstream(&code[i].bytes, &code[i].size);
+    if (!out[i]) done = report_error("out of memory");
+  }
+  done = done && backend->emit(session->checked, session->facts, session->description, &how, out, session->diag);
+  for (int i = 0; i < BACKEND_PARTS; i++)
+    if (out[i] && fclose(out[i]) != 0) done = report_error("out of memory");
+  if (!done) release(code);
+  return done;
 }
 
 static int emit(const Session *session) {
   const Options *options = session->options;
   const char *name = output_name(session->arena, options, options->files.at[0]);
   if (!name) return EXIT_FAILURE;
-  size_t size;
-  char *code = generate(session, options->backend.emit, &size);
-  if (!code) return EXIT_FAILURE;
-  bool done = options->program ? link_program(session->arena, options, home_find(session->arena), name, code, size)
-                               : output_write(session->arena, name, code, size);
-  free(code);
+  Code code[BACKEND_PARTS];
+  if (!generate(session, options->backend.emit, code)) return EXIT_FAILURE;
+  bool done = options->program ? link_program(session->arena, options, home_find(session->arena), name, code)
+                               : output_write(session->arena, name, code[0].bytes, code[0].size);
+  release(code);
   laps_end(session->laps, options->program ? "link" : "write");
   return done ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 static int dump_ir(const Session *session) {
-  size_t size;
-  char *code = generate(session, EMIT_LLVM, &size);
-  if (!code) return EXIT_FAILURE;
-  fwrite(code, 1, size, stdout);
-  free(code);
+  Code code[BACKEND_PARTS];
+  if (!generate(session, EMIT_LLVM, code)) return EXIT_FAILURE;
+  fwrite(code[0].bytes, 1, code[0].size, stdout);
+  release(code);
   return printed() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 

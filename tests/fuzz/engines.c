@@ -283,7 +283,7 @@ static bool births_agree(const Compilation *c, const LsysGrammar *compiled) {
 
 static Verdict compare_jit(const Engines *engines, const Compilation *c, const Collector *word, uint64_t long_steps) {
   if (!engines->backend) return VERDICT_AGREE;
-  BackendOptions options = {.optimise = 2, .symbol = "lsys_grammar"};
+  BackendOptions options = {.optimise = 2, .symbol = "lsys_grammar", .split = true};
   Jit *jit =
     engines->backend->jit(c->program, c->facts, c->description, &options, lsys_symbols, lsys_symbol_count, c->diag);
   if (!jit) return VERDICT_UNSUPPORTED;
