@@ -45,10 +45,17 @@ static int place_in(const char *list, const char *value) {
   }
 }
 
-static void set_emit(Options *options, int place) {
+// option: as it was given. A second one may only repeat what the first one said.
+static bool set_emit(Options *options, const char *option, int place) {
   static const EmitKind kinds[] = {EMIT_OBJECT, EMIT_OBJECT, EMIT_ASSEMBLY, EMIT_LLVM, EMIT_BITCODE};
-  options->program = place == 0;
+  bool program = place == 0;
+  if (options->emit_given && (options->program != program || options->backend.emit != kinds[place]))
+    return report_error("`%s` and `%s` ask for different files; lsysc writes one at a time", options->emit_given,
+                        option);
+  options->emit_given = option;
+  options->program = program;
   options->backend.emit = kinds[place];
+  return true;
 }
 
 // Options behind the grammar of `run` and `interp` are the program's, too.
@@ -118,14 +125,11 @@ static bool apply_other(Reader *reader, OptionId id, const char *value, int plac
     options->optimise_given = true;
     break;
   case OPTION_OBJECT:
-    set_emit(options, 1);
-    break;
+    return set_emit(options, "-c", 1);
   case OPTION_ASSEMBLY:
-    set_emit(options, 2);
-    break;
+    return set_emit(options, "-S", 2);
   case OPTION_EMIT:
-    set_emit(options, place);
-    break;
+    return set_emit(options, arena_printf(reader->arena, "--emit=%s", value), place);
   case OPTION_INCLUDE:
     *VEC_PUSH(reader->arena, &reader->include_dirs) = value;
     break;
@@ -263,6 +267,11 @@ static bool complete(Arena *arena, const Options *options) {
   if (files == 0) return report_error("no grammar was given: lsysc %s", command_table[options->command].arguments);
   if (options->command == COMMAND_COMPILE && is_command_like(options->files.at[0]))
     return unknown_command(arena, options->files.at[0]);
+  const char *cpu = options->backend.cpu;
+  if (options->command == COMMAND_RUN && cpu && strcmp(cpu, "native") != 0)
+    return report_error("`run` generates code for the processor here, not for `%s`; "
+                        "compile a program for that one: lsysc %s -march=%s",
+                        cpu, options->files.at[0], cpu);
   if (files > 1 && options->command != COMMAND_CHECK)
     return report_error("one grammar at a time, not `%s` and `%s`", options->files.at[0], options->files.at[1]);
   return true;

@@ -43,8 +43,9 @@ typedef struct Options {
   Strings passed;  // run, interp: what goes to the program, in order
   Strings given;   // run, interp: -D behind the grammar, for grammar and program
   bool help, version, verbose, times, list_systems;
-  const char *output;  // -o; NULL: from the file's name
-  bool program;        // link a program; otherwise backend.emit says what to write
+  const char *output;      // -o; NULL: from the file's name
+  bool program;            // link a program; otherwise backend.emit says what to write
+  const char *emit_given;  // the option that said so, or NULL
   BackendOptions backend;
   bool optimise_given;  // -O
   const char *linker;

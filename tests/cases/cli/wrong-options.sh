@@ -21,6 +21,12 @@ try help nosuch
 echo 'axiom: A' > a.lsys
 try a.lsys -c -march=nosuch --target=aarch64-linux-gnu
 try run a.lsys 5
+try run -march=x86-64 a.lsys
+try run a.lsys -n 1 -march=nosuch
+try run a.lsys -n 1 -march=native
+try a.lsys -c -S
+try a.lsys --emit=llvm -c
+try a.lsys -c --emit=obj -o -c.o
 try a.lsys -c -O3 -march=x86-64-v99 --target=x86_64-linux-gnu
 try a.lsys -c --target=wasm32
 try a.lsys -c --target=powerpc64-linux-gnu
