@@ -116,52 +116,66 @@ static Decimal shortest(uint64_t fraction, int exponent) {
 
 // ---- layout ------------------------------------------------------------------
 
+// A number's digits, and room behind them: what is copied has a length that the compiler knows.
+enum { MOST_DIGITS = 20, DIGITS_ROOM = 2 * MOST_DIGITS };
+
+static const char pairs[] =
+  "0001020304050607080910111213141516171819202122232425262728293031323334353637383940414243444546474849"
+  "5051525354555657585960616263646566676869707172737475767778798081828384858687888990919293949596979899";
+
+// Writes n in decimal so that it ends at `end`; returns where it begins.
+static char *put_digits(char *end, uint64_t n) {
+  for (; n >= 100; n /= 100) memcpy(end -= 2, pairs + 2 * (n % 100), 2);
+  if (n >= 10) return memcpy(end - 2, pairs + 2 * n, 2);
+  *--end = (char)('0' + n);
+  return end;
+}
+
 char *lsys_whole_print(char *to, uint64_t n) {
-  char digits[20], *at = digits + sizeof digits;
-  do *--at = (char)('0' + n % 10);
-  while (n /= 10);
-  size_t length = (size_t)(digits + sizeof digits - at);
+  if (n < 10) {
+    *to = (char)('0' + n);
+    return to + 1;
+  }
+  char digits[MOST_DIGITS], *end = digits + sizeof digits, *at = put_digits(end, n);
+  size_t length = (size_t)(end - at);
   memcpy(to, at, length);
   return to + length;
 }
 
-static char *zeros(char *to, int count) {
-  memset(to, '0', (size_t)count);
-  return to + count;
+static char *scientific(char *to, const char *digits, int count, int exponent) {
+  *to++ = digits[0];
+  if (count > 1) *to++ = '.';
+  memcpy(to, digits + 1, MOST_DIGITS - 1);
+  to += count - 1;
+  *to++ = 'e';
+  *to++ = exponent < 0 ? '-' : '+';
+  unsigned magnitude = exponent < 0 ? -(unsigned)exponent : (unsigned)exponent;
+  if (magnitude < 10) *to++ = '0';
+  return lsys_whole_print(to, magnitude);
 }
 
 // As %.17g: fixed notation for exponents -4..16, else scientific with at least two digits of exponent.
 static char *layout(char *to, Decimal d) {
+  static const char zeros[] = "0.0000000000000000";
   while (d.digits % 10 == 0) d.digits /= 10, d.exponent++;
-  char digits[20];
-  int count = (int)(lsys_whole_print(digits, d.digits) - digits);
+  char text[DIGITS_ROOM] = "";
+  const char *digits = put_digits(text + MOST_DIGITS, d.digits);
+  int count = (int)(text + MOST_DIGITS - digits);
   int exponent = d.exponent + count - 1;  // of the first digit
-  if (exponent < -4 || exponent >= 17) {
-    *to++ = digits[0];
-    if (count > 1) *to++ = '.';
-    memcpy(to, digits + 1, (size_t)count - 1);
-    to += count - 1;
-    *to++ = 'e';
-    *to++ = exponent < 0 ? '-' : '+';
-    unsigned magnitude = exponent < 0 ? -(unsigned)exponent : (unsigned)exponent;
-    if (magnitude < 10) *to++ = '0';
-    return lsys_whole_print(to, magnitude);
-  }
+  if (exponent < -4 || exponent >= 17) return scientific(to, digits, count, exponent);
   if (exponent < 0) {  // 0.00ddd
-    *to++ = '0';
-    *to++ = '.';
-    to = zeros(to, -exponent - 1);
-    memcpy(to, digits, (size_t)count);
-    return to + count;
+    memcpy(to, zeros, 8);
+    memcpy(to + 1 - exponent, digits, MOST_DIGITS);
+    return to + 1 - exponent + count;
   }
   int whole = exponent + 1;
+  memcpy(to, digits, MOST_DIGITS);
   if (count <= whole) {  // ddd00
-    memcpy(to, digits, (size_t)count);
-    return zeros(to + count, whole - count);
+    memcpy(to + count, zeros + 2, 16);
+    return to + whole;
   }
-  memcpy(to, digits, (size_t)whole);
   to[whole] = '.';
-  memcpy(to + whole + 1, digits + whole, (size_t)(count - whole));
+  memcpy(to + whole + 1, digits + whole, 16);
   return to + count + 1;
 }
 
@@ -196,8 +210,8 @@ static const uint64_t tens[] = {1,
                                 UINT64_C(1000000000000),
                                 UINT64_C(10000000000000)};
 
-// x * 10^k to the nearest whole number, to the even one of two; k from 0 to 13, x at least 2^-14 and less than 2^30.
-static uint64_t scale(double x, int k) {
+// x * 10^k to the nearest whole number, to the even one of two, in whole numbers.
+static uint64_t scale_exactly(double x, int k) {
   uint64_t bits;
   memcpy(&bits, &x, sizeof bits);
   uint64_t c = (bits & ((UINT64_C(1) << 52) - 1)) | UINT64_C(1) << 52;
@@ -208,6 +222,24 @@ static uint64_t scale(double x, int k) {
   return whole + (rest > half || (rest == half && (whole & 1)));
 }
 
+// The same; k from 0 to 13, x at least 2^-14 and less than 2^30, the result at most 10^10: a product of doubles is then
+// wrong by less than 10^-5, which matters near the middle of two numbers alone.
+static uint64_t scale(double x, int k) {
+  double product = x * (double)tens[k];
+  uint64_t whole = (uint64_t)product;
+  double rest = product - (double)whole;
+  if (rest > 0.50001) return whole + 1;
+  return rest < 0.49999 ? whole : scale_exactly(x, k);
+}
+
+// floor(log10(x)) of an x from 1e-4 to 1e9, or one less.
+static int first_exponent(double x) {
+  uint64_t bits;
+  memcpy(&bits, &x, sizeof bits);
+  int exponent = log10_pow2((int)(bits >> 52) - 1023);
+  return exponent < -4 ? -4 : exponent;
+}
+
 // 10^(exponent + 1) of the exponents from -4.
 static const double next_power[] = {1e-3, 1e-2, 1e-1, 1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 
@@ -215,8 +247,8 @@ char *lsys_number_round(char *to, double x, int digits) {
   if (x == 0) return lsys_number_print(to, x);
   double magnitude = x < 0 ? -x : x;
   if (!(magnitude >= 1e-4 && magnitude < (double)tens[digits - 1])) return to + sprintf(to, "%.*g", digits, x);
-  int exponent = -4;  // of the first digit
-  while (magnitude >= next_power[exponent + 4]) exponent++;
+  int exponent = first_exponent(magnitude);
+  exponent += magnitude >= next_power[exponent + 4];
   uint64_t rounded = scale(magnitude, digits - 1 - exponent);
   if (rounded >= tens[digits]) rounded = scale(magnitude, digits - 1 - ++exponent);
   if (rounded < tens[digits - 1]) rounded = scale(magnitude, digits - 1 - --exponent);

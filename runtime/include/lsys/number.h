@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-enum { LSYS_NUMBER_SIZE = 32 };  // room that lsys_number_print needs
+enum { LSYS_NUMBER_SIZE = 48 };  // room that lsys_number_print and lsys_number_round need, twice the longest text
 
 // Writes x as LANGUAGE.md section 9 asks: shortest digits laid out as %.17g would, "nan", "inf", "-inf".
 // Returns the end; writes no terminating zero.
