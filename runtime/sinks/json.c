@@ -14,6 +14,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { BLOCK = 1024 };  // segments that are made into text at once
 
@@ -56,9 +57,15 @@ static char *put_point(char *to, const LsysVec3 *p) {
   return put_real(to, p->z);
 }
 
+static bool same_place(const LsysVec3 *a, const LsysVec3 *b) {
+  return memcmp(a, b, sizeof *a) == 0;
+}
+
 static bool put_segments(const void *data, const void *block, size_t size, LsysPrepared *to) {
   (void)data;
   const Segment *segment = block;
+  char last[3 * LSYS_NUMBER_SIZE];  // where the segment before ended
+  size_t last_size = 0;
   for (size_t i = 0; i < size / sizeof *segment; i++) {
     const Segment *s = &segment[i];
     char *room = lsys_prepared_room(to, 16 * LSYS_NUMBER_SIZE), *at = room;
@@ -66,9 +73,17 @@ static bool put_segments(const void *data, const void *block, size_t size, LsysP
     if (s->later) *at++ = ',';
     *at++ = '\n';
     *at++ = '[';
-    at = put_point(at, &s->from);
+    if (i && same_place(&s->from, &s[-1].to)) {
+      memcpy(at, last, last_size);
+      at += last_size;
+    } else {
+      at = put_point(at, &s->from);
+    }
     *at++ = ',';
-    at = put_point(at, &s->to);
+    char *end = put_point(at, &s->to);
+    last_size = (size_t)(end - at);
+    memcpy(last, at, last_size);
+    at = end;
     *at++ = ',';
     at = put_real(at, s->width);
     *at++ = ',';

@@ -36,11 +36,17 @@ static size_t item_bytes(uint32_t what, uint32_t count) {
   return (count * element_size[what] + 7) & ~(size_t)7;
 }
 
+// A colour as it stands behind coordinates.
+typedef struct Tint {
+  char text[28];
+  uint32_t size;
+} Tint;
+
 typedef struct Obj {
   LsysModel model;
   LsysPress *press;
-  uint32_t elements;   // in its block
-  char tint[256][32];  // of each colour, as it stands behind coordinates
+  uint32_t elements;  // in its block
+  Tint tint[256];
   const LsysPalette *palette;
   LsysOut *out, *mtl;  // mtl NULL: no materials
   char *mtl_name;      // owned
@@ -65,7 +71,10 @@ static char *put_numbers(char *to, const char *keyword, const double *x, int cou
 
 static char *put_vertex(const Obj *o, char *to, const LsysVertex *v) {
   to = put_numbers(to, "v", (const double[]){(double)v->x, (double)v->y, (double)v->z}, 3, 7);
-  to = stpcpy(to, o->tint[v->colour]);
+  const Tint *tint = &o->tint[v->colour];
+  memcpy(to, tint->text, sizeof tint->text);
+  to += tint->size;
+  if (v->nx == 0 && v->ny == 0 && v->nz == 1) return stpcpy(to, "\nvn 0 0 1\n");  // an end of an edge
   to = put_numbers(to, "\nvn", (const double[]){(double)v->nx, (double)v->ny, (double)v->nz}, 3, 4);
   *to++ = '\n';
   return to;
@@ -136,7 +145,9 @@ static bool open_model(LsysModel *model, const LsysPalette *palette) {
   o->palette = palette;
   for (int i = 0; i < 256; i++) {
     uint32_t rgb = palette->rgb[i];
-    snprintf(o->tint[i], sizeof o->tint[i], " %.3g %.3g %.3g", channel(rgb, 16), channel(rgb, 8), channel(rgb, 0));
+    Tint *t = &o->tint[i];
+    t->size = (uint32_t)snprintf(t->text, sizeof t->text, " %.3g %.3g %.3g", channel(rgb, 16), channel(rgb, 8),
+                                 channel(rgb, 0));
   }
   o->press = lsys_press_open(model->memory, model->threads, put_block, write_block, o);
   if (!o->press) return false;

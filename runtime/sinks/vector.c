@@ -7,6 +7,7 @@
 
 #include "core/memory.h"
 #include "core/message.h"
+#include "lsys/number.h"
 #include "sinks/press.h"
 
 #include <math.h>
@@ -77,26 +78,18 @@ bool lsys_vector_print(LsysVector *v, const char *format, ...) {
 }
 
 char *lsys_vector_number(const LsysVector *v, char *to, int64_t parts) {
-  int decimals = v->decimals;
-  if (parts < 0) {
-    *to++ = '-';
-    parts = -parts;
-  }
-  if (parts == 0) {
-    *to++ = '0';
-    return to;
-  }
-  while (decimals && parts % 10 == 0) {
-    parts /= 10;
-    decimals--;
-  }
-  char digits[LSYS_VECTOR_NUMBER], *d = digits;
-  for (; parts || decimals > 0; parts /= 10) {
-    *d++ = (char)('0' + parts % 10);
-    if (--decimals == 0) *d++ = '.';
-  }
-  while (d > digits) *to++ = *--d;
-  return to;
+  if (parts < 0) *to++ = '-';
+  uint64_t all = parts < 0 ? -(uint64_t)parts : (uint64_t)parts;
+  // Constants, by which dividing is multiplying.
+  uint64_t whole = v->decimals == 2 ? all / 100 : v->decimals == 3 ? all / 1000 : all / 10000;
+  uint32_t pixel = v->decimals == 2 ? 100 : v->decimals == 3 ? 1000 : 10000, rest = (uint32_t)(all - whole * pixel);
+  if (whole || !rest) to = lsys_whole_print(to, whole);
+  if (!rest) return to;
+  *to++ = '.';
+  char *end = to + v->decimals;
+  for (char *at = end; at > to; rest /= 10) *--at = (char)('0' + rest % 10);
+  while (end[-1] == '0') end--;
+  return end;
 }
 
 // ---- paths ---------------------------------------------------------------

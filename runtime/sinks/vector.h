@@ -35,7 +35,7 @@ struct LsysVector {
   LsysCanvas canvas;
   const LsysVectorFormat *format;
   LsysOut *out;
-  int decimals;  // of a coordinate in pixels
+  int decimals;  // of a coordinate in pixels, 2 to 4
   double parts;  // of a pixel: 10^decimals
   int64_t x, y;  // the last point written, in parts
   LsysInk ink;   // of the open group of strokes
