@@ -136,6 +136,7 @@ static void word_loop(Rewrite *rewrite, LLVMValueRef in) {
   LLVMAddIncoming(reader.arg, &reader.next_arg, &reader.next, 1);
   LLVMAddIncoming(reader.key, &reader.next_key, &reader.next, 1);
   ir_at(ir, done);
+  line_settle(rewrite);
   LLVMBuildRetVoid(ir->builder);
 }
 
@@ -155,6 +156,7 @@ LLVMValueRef entry_expand(Ir *ir) {
   Rewrite rewrite = {.scope = {.ir = ir}, .way = WAY_EXPAND, .silent = !ir->shown_keys};
   rewrite.out = LLVMGetParam(function, 0);
   rewrite.steps = LLVMGetParam(function, 2);
+  line_hold(&rewrite);
   word_loop(&rewrite, LLVMGetParam(function, 1));
   return function;
 }
@@ -167,6 +169,7 @@ LLVMValueRef entry_homomorphism(Ir *ir) {
   Rewrite rewrite = {.scope = {.ir = ir}, .way = WAY_INTERPRET, .silent = true};
   rewrite.out = LLVMGetParam(function, 2);
   rewrite.depth = expand_depth(ir, WAY_INTERPRET, 0);
+  line_hold(&rewrite);
   word_loop(&rewrite, LLVMGetParam(function, 1));
   return function;
 }

@@ -48,12 +48,22 @@ static void init_values(Scope *scope, LLVMValueRef given) {
   }
 }
 
+// Most settings are constants: those are copied at once.
 static void init_settings(Scope *scope) {
-  const Program *program = scope->ir->program;
+  Ir *ir = scope->ir;
+  const Program *program = ir->program;
+  LLVMValueRef values[LSYS_SETTING_COUNT];
+  bool known[LSYS_SETTING_COUNT];
   for (uint32_t s = 0; s < LSYS_SETTING_COUNT; s++) {
-    const Expr *setting = program->settings[s];
-    set_value(scope, s, setting ? expr_value(scope, setting) : ir_double(scope->ir, lsys_settings[s].value));
+    double value = lsys_settings[s].value;
+    known[s] = !program->settings[s] || expr_constant(program, program->settings[s], &value);
+    values[s] = ir_double(ir, value);
   }
+  LLVMValueRef data = ir_data(ir, LLVMConstArray2(ir->types.f64, values, LSYS_SETTING_COUNT), "settings");
+  uint64_t size = LSYS_SETTING_COUNT * sizeof(double);
+  LLVMBuildMemCpy(ir->builder, expr_value_address(scope, 0), 8, data, 8, ir_int(ir, size));
+  for (uint32_t s = 0; s < LSYS_SETTING_COUNT; s++)
+    if (!known[s]) set_value(scope, s, expr_value(scope, program->settings[s]));
 }
 
 void init_arrays(Scope *scope) {

@@ -75,6 +75,13 @@ void line_begin(Rewrite *rewrite, LLVMValueRef function, unsigned first) {
   }
 }
 
+void line_hold(Rewrite *rewrite) {
+  Ir *ir = rewrite->scope.ir;
+  for (unsigned s = 0; s < 3; s++)
+    if (ir->uses_stream[s]) rewrite->cursor[s] = ir_local(ir, ir->types.ptr, 1, "out");
+  line_fetch(rewrite);
+}
+
 static void give_back(const Rewrite *rewrite) {
   LLVMValueRef values[3];
   unsigned n = line_cursors(rewrite, values);
@@ -91,8 +98,8 @@ static void take_back(const Rewrite *rewrite, LLVMValueRef result) {
 
 // ---- room ------------------------------------------------------------------------
 
-// cursors.flush(out, cursors) returns the cursors behind lsys_flush: a function of the module's own, so that the many places
-// that ask for room are one call each.
+// cursors.flush(out, cursors) returns the cursors behind lsys_flush: a function of the module's own, so that the many
+// places that ask for room are one call each.
 static LLVMValueRef flush_function(Ir *ir) {
   LLVMValueRef function = LLVMGetNamedFunction(ir->module, "cursors.flush");
   if (function) return function;

@@ -408,9 +408,7 @@ LLVMValueRef walk_emit(Ir *ir, const char *name, Way way, Each begin, Each each)
   find_contexts(&rewrite);
   if (way == WAY_STEP && alone(ir)) {
     if (walk.left) make_window(&rewrite);
-    for (unsigned s = 0; s < 3; s++)
-      if (ir->uses_stream[s]) rewrite.cursor[s] = ir_local(ir, ir->types.ptr, 1, "out");
-    line_fetch(&rewrite);
+    line_hold(&rewrite);
     walk.stop = ir_local(ir, ir->types.ptr, 1, "stop");
     LLVMBuildStore(ir->builder, LLVMConstNull(ir->types.ptr), walk.stop);
     rewrite.roomy = true;
