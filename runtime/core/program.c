@@ -33,6 +33,7 @@ typedef struct Outputs {
   bool only_counts;  // nothing but --count of the derived word: a growth matrix can tell
   bool only_stats;   // nothing but --stats
   bool draws;        // a picture, a model, or what there would be in one
+  bool flows;        // a word to standard output, of which the reader may want the beginning only
 } Outputs;
 
 // Adds a format's sink, behind the homomorphism if it draws or the option asks for it.
@@ -66,6 +67,7 @@ static bool add_word(Outputs *outputs, const LsysSinkContext *context, const Lsy
   bool whole = format && format->reads == LSYS_READS_WORD && !options[LSYS_OPTION_RANGE].given;
   if (to_file && whole && !lsys_fit_disk(lsys_fit_modules(derivation), path->text)) return false;
   if (!format || (to_file && !(outputs->file = lsys_out_open(path->text)))) return false;
+  outputs->flows = !to_file && format->reads == LSYS_READS_WORD;
   return add_sink(outputs, *context, format->create, format->reads, to_file ? outputs->file : outputs->screen);
 }
 
@@ -127,6 +129,16 @@ static bool is_long(const LsysDerivation *derivation) {
   return lsys_fit_modules(derivation) > modules_of_minutes;
 }
 
+// Says that nobody will see the end of this.
+static void tell_endless(const LsysDerivation *derivation) {
+  const double modules_of_a_year = 3e17;  // 10^10 a second
+  double modules = lsys_fit_modules(derivation);
+  if (modules < modules_of_a_year) return;
+  bool told = modules < 1e300;
+  lsys_note("the word has %s%.3g modules: to walk through it takes %s", told ? "" : "over ", told ? modules : 1e300,
+            modules < 1e3 * modules_of_a_year ? "years" : "longer than anybody lives");
+}
+
 static bool print_counts(const LsysDerivation *derivation, LsysOut *out) {
   for (uint32_t axiom = derivation->first_axiom; axiom < derivation->axiom_end; axiom++)
     if (!lsys_growth_print(derivation, axiom, out)) return false;
@@ -140,6 +152,7 @@ static bool derive_into(LsysDerivation *derivation, Outputs *outputs) {
     bool well = lsys_figure_print(derivation, outputs->screen, &known);
     if (!well || known) return well;
   }
+  if (!outputs->flows && !outputs->borrowed && !derivation->has_range) tell_endless(derivation);
   LsysTee tee;
   lsys_tee_init(&tee, outputs->sinks, outputs->count);
   LsysSink *sink = outputs->count == 1 ? outputs->sinks[0] : &tee.sink;
