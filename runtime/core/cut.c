@@ -6,12 +6,13 @@
 #include "core/store.h"
 
 enum {
-  SAMPLE = 64,             // modules,
-  STRIDE = 17,             //   each the first of so many: a prime, as words repeat themselves
-  WORTH = 1 << 9,          // weight that a module has to become; little of a stretch, so that stretches weigh the same
-  STRETCH = 3 << 14,       // weight of a stretch: less than what a task may be ahead (parallel.c)
-  MOST_STEPS = 1 << 16,    // beyond, words are chains, and sampling takes longer than deriving
-  REFERENCE_DIVISOR = 16,  // a module of a block costs its reader this much less than one that was written
+  SAMPLE = 64,           // modules,
+  STRIDE = 17,           //   each the first of so many: a prime, as words repeat themselves
+  WORTH = 1 << 9,        // weight that a module has to become; little of a stretch, so that stretches weigh the same
+  MOST_STEPS = 1 << 16,  // beyond, words are chains, and sampling takes longer than deriving
+  STRETCH = 3 << 14,     // weight of a stretch: less than what a task may be ahead (pipeline.c)
+  STRETCH_OF_BLOCKS = 1 << 18,  //   where what is no whole block of the word at its ends is not shared
+  REFERENCE_DIVISOR = 16,       // a module of a block costs its reader this much less than one that was written
   MOSTLY = 16,
   MOST_WEIGHT = 1 << 21,  // of a sample
 };
@@ -32,7 +33,8 @@ LsysWord lsys_cut_take(LsysCut *cut, uint64_t modules) {
   unsigned width = lsys_symbol_width(cut->grammar);
   taken.nsym = modules;
   taken.narg = taken.nkey = 0;
-  for (uint64_t i = 0; i < modules; i++) {
+  bool bare = !rest->narg && !rest->nkey;
+  for (uint64_t i = 0; i < modules && !bare; i++) {
     const uint8_t *sym = rest->sym + i * width;
     const LsysKind *kind = &cut->grammar->kinds[width == 1 ? sym[0] : sym[0] | sym[1] << 8];
     taken.narg += kind->arity;
@@ -57,7 +59,7 @@ typedef struct Sampler {
   uint64_t passed;             // modules to be left out before the next one
   double weight;               // of what the sample became
   double written, referenced;  // modules of it
-  bool shared;                 // the sink's work is shared
+  LsysCutWork work;
 } Sampler;
 
 static Sampler *sampler_of(LsysSink *sink) {
@@ -87,7 +89,7 @@ static bool take_weight(LsysSink *sink, const LsysWord *part) {
     sampler->written += (double)part->nsym;
   else
     sampler->referenced += (double)part->nsym;
-  sampler->weight = sampler->written + sampler->referenced / (sampler->shared ? 1 : REFERENCE_DIVISOR);
+  sampler->weight = sampler->written + sampler->referenced / (sampler->work == LSYS_CUT_PARTS ? 1 : REFERENCE_DIVISOR);
   return sampler->weight < MOST_WEIGHT;
 }
 
@@ -131,18 +133,19 @@ static uint64_t bisect(Sampler *sampler, const LsysWord *word, uint64_t steps, u
 
 // Looks at few steps first, because samples of many take long.
 static uint64_t search(Sampler *sampler, const LsysWord *word, uint64_t steps, uint64_t *modules) {
+  const double stretch = sampler->work == LSYS_CUT_BLOCKS ? STRETCH_OF_BLOCKS : STRETCH;
   for (uint64_t last = 1, before = 0; last < steps; before = last, last += last < 16 ? 1 : last) {
     if (weigh(sampler, word, steps, last) < WORTH) continue;
-    if (!sampler->shared && sampler->referenced > MOSTLY * sampler->written) break;
+    if (sampler->work == LSYS_CUT_ALONE && sampler->referenced > MOSTLY * sampler->written) break;
     last = bisect(sampler, word, steps, before, last);
     double weight = weigh(sampler, word, steps, last);
-    *modules = weight < STRETCH ? (uint64_t)(STRETCH / weight) : 1;
+    *modules = weight < stretch ? (uint64_t)(stretch / weight) : 1;
     return last;
   }
   return steps;
 }
 
-uint64_t lsys_cut_choose(const LsysWorker *worker, const LsysWord *word, bool shared, uint64_t *modules) {
+uint64_t lsys_cut_choose(const LsysWorker *worker, const LsysWord *word, LsysCutWork work, uint64_t *modules) {
   uint64_t steps = worker->run.steps;
   *modules = UINT64_MAX;
   if (steps > MOST_STEPS || !word->nsym) return steps;
@@ -151,7 +154,7 @@ uint64_t lsys_cut_choose(const LsysWorker *worker, const LsysWord *word, bool sh
   if (!sampler) return 0;
   sampler->worker.run = worker->run;
   sampler->worker.memory = memory;
-  sampler->shared = shared;
+  sampler->work = work;
   sampler->worker.stack_limit = worker->stack_limit;
   sampler->worker.stack_bytes = worker->stack_bytes;
   lsys_store_open(&sampler->sample, worker->run.grammar, memory);

@@ -5,6 +5,8 @@
 #include "core/stream.h"
 #include "sinks/count.h"
 
+#include <string.h>
+
 static bool add_one(LsysMemory *memory, LsysBig *to) {
   uint64_t limb = 1;
   return lsys_big_add_product(memory, to, &(LsysBig){&limb, 1, 1}, 1);
@@ -48,6 +50,23 @@ bool lsys_growth_counts(const LsysGrammar *grammar, uint32_t axiom, uint64_t ste
   for (uint32_t k = 0; other && k < kinds; k++) lsys_big_free(memory, &other[k]);
   lsys_memory_free(memory, other, kinds, sizeof *other);
   return well;
+}
+
+bool lsys_growth_sizes(const LsysGrammar *grammar, uint64_t steps, LsysMemory *memory, uint64_t *size) {
+  const LsysGrowth *growth = &grammar->growth;
+  uint32_t kinds = grammar->kind_count;
+  uint64_t *before = lsys_memory_alloc(memory, kinds, sizeof *before);
+  if (!before) return false;
+  for (uint32_t k = 0; k < kinds; k++) size[k] = 1;
+  for (uint64_t step = 0; step < steps; step++) {
+    memcpy(before, size, kinds * sizeof *size);
+    memset(size, 0, kinds * sizeof *size);
+    for (uint32_t k = 0; k < kinds; k++)
+      for (uint32_t e = growth->row[k]; e < growth->row[k + 1]; e++)
+        size[k] += before[growth->kind[e]] * growth->count[e];
+  }
+  lsys_memory_free(memory, before, kinds, sizeof *before);
+  return true;
 }
 
 static bool print_row(LsysMemory *memory, LsysOut *out, const char *name, LsysBig *count) {

@@ -11,6 +11,10 @@
 bool lsys_growth_counts(const LsysGrammar *grammar, uint32_t axiom, uint64_t steps, LsysMemory *memory,
                         LsysBig *counts);
 
+// size[k] = how many modules a module of kind k becomes in `steps` steps, modulo 2^64, for kind_count numbers. The
+// grammar has a growth matrix. False after printing that there is no memory.
+bool lsys_growth_sizes(const LsysGrammar *grammar, uint64_t steps, LsysMemory *memory, uint64_t *size);
+
 // Prints what the count sink would print for a start word.
 bool lsys_growth_print(const LsysDerivation *derivation, uint32_t axiom, LsysOut *out);
 

@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 
 #include "core/cut.h"
+#include "core/growth.h"
 #include "core/pipeline.h"
 #include "core/store.h"
 
@@ -22,6 +23,8 @@ struct LsysParallel {
   uint64_t last_steps;
   uint64_t modules_a_stretch;
   uint64_t filled;     // number of the stretch that gets modules now
+  uint64_t place;      //   and how many modules of the last word stand before it,
+  uint64_t *size;      //   where it is known how many each kind becomes; else NULL
   LsysStore *stretch;  // number i stands in stretch[i % most]
   uint64_t most;
 };
@@ -37,8 +40,18 @@ static void expand(LsysMember *member, void *data, uint64_t i, LsysStream *out) 
   lsys_flush(out);
 }
 
+// The modules that the stretch becomes.
+static uint64_t length(const LsysParallel *p, const LsysStore *store) {
+  uint64_t sum = 0;
+  for (uint64_t i = 0; i < store->nsym; i++)
+    sum += p->size[store->width == 1 ? store->sym[i] : store->sym[2 * i] | store->sym[2 * i + 1] << 8];
+  return sum;
+}
+
 static bool submit(LsysParallel *p) {
-  if (!lsys_pipeline_add(p->pipeline)) return false;
+  uint64_t modules = p->size ? length(p, stretch(p, p->filled)) : 0;
+  if (!lsys_pipeline_add(p->pipeline, p->size ? &p->place : NULL)) return false;
+  p->place += modules;
   lsys_store_clear(stretch(p, ++p->filled));
   return true;
 }
@@ -55,6 +68,21 @@ static bool take_frontier(LsysSink *sink, const LsysWord *part) {
     if (store->nsym == p->modules_a_stretch && !submit(p)) return false;
   }
   return true;
+}
+
+static bool find_sizes(LsysParallel *p) {
+  const LsysGrammar *grammar = p->worker->run.grammar;
+  if (!grammar->growth.row) return true;
+  p->size = lsys_memory_alloc(p->worker->memory, grammar->kind_count, sizeof *p->size);
+  return p->size && lsys_growth_sizes(grammar, p->last_steps, p->worker->memory, p->size);
+}
+
+static bool choose_cut(LsysParallel *p, const LsysWord *word, const LsysSink *sink) {
+  bool known = p->worker->run.grammar->growth.row;
+  LsysCutWork work = !sink->prepare ? LSYS_CUT_ALONE : !sink->block ? LSYS_CUT_PARTS : LSYS_CUT_BLOCKS;
+  if (work == LSYS_CUT_BLOCKS && !known) work = LSYS_CUT_ALONE;
+  p->last_steps = lsys_cut_choose(p->worker, word, work, &p->modules_a_stretch);
+  return p->last_steps && find_sizes(p);
 }
 
 static bool set_up(LsysParallel *p, LsysSink *sink, unsigned threads) {
@@ -77,8 +105,7 @@ bool lsys_parallel_run(LsysParallel **place, LsysWorker *worker, const LsysWord 
   LsysParallel *p = *place = lsys_memory_alloc(worker->memory, 1, sizeof *p);
   if (!p) return false;
   p->worker = worker;
-  p->last_steps = lsys_cut_choose(worker, word, sink->prepare != NULL, &p->modules_a_stretch);
-  if (!p->last_steps || !set_up(p, sink, threads)) return false;
+  if (!choose_cut(p, word, sink) || !set_up(p, sink, threads)) return false;
   if (setjmp(p->frontier.stop)) return false;
   uint64_t steps = worker->run.steps;
   lsys_writer_advance(&p->writer, word, steps, steps, p->last_steps);
@@ -92,6 +119,7 @@ void lsys_parallel_close(LsysParallel *p) {
   if (p->team.worker) lsys_team_close(&p->team);
   for (uint64_t i = 0; p->stretch && i < p->most; i++) lsys_store_close(&p->stretch[i]);
   lsys_memory_free(memory, p->stretch, p->most, sizeof *p->stretch);
+  lsys_memory_free(memory, p->size, p->worker->run.grammar->kind_count, sizeof *p->size);
   if (p->writer.stream.run) lsys_writer_close(&p->writer);
   lsys_memory_free(memory, p, 1, sizeof *p);
 }

@@ -12,9 +12,10 @@
 
 enum {
   TASKS_A_MEMBER = 8,
-  MOST_PIECES = 64,     // of a task that wait to be consumed
-  CHUNKS_A_MEMBER = 8,  // in flight: pieces that are no references
-  CHUNKS_OF_HEAD = 3,   // kept for it
+  MOST_PIECES = 128,      // of a task that wait to be consumed
+  CHUNKS_A_MEMBER = 8,    // in flight: pieces that are no references,
+  CHUNKS_OF_HEAD = 3,     //   kept for it,
+  LEAST_CHUNK = 1 << 15,  //   bytes of one, or fewer, as far as they are counted
 };
 
 typedef enum State { READY, RUNNING, DONE, FAILED } State;
@@ -40,7 +41,8 @@ typedef struct Piece {
 } Piece;
 
 typedef struct Task {
-  uint64_t number;
+  uint64_t number, place;
+  bool placed;  // it is known where it stands
   State state;
   const LsysMember *member;  // that writes it
   Piece piece[MOST_PIECES];  // a ring
@@ -54,6 +56,7 @@ typedef struct Hand {
   LsysMember *member;
   LsysWriter writer;
   Task *task;
+  Draft *draft;   // what is prepared and not entered yet
   void *scratch;  // what the sink keeps for preparing
   size_t scratch_bytes;
 } Hand;
@@ -79,12 +82,21 @@ struct LsysPipeline {
   uint64_t retired;     // number of the head
   uint64_t next_ready;  // number of the first task that nobody took
   uint64_t filled;      // number of tasks that were added
-  unsigned chunks;      // in flight, drafts included
+  size_t bytes;         // of chunks and drafts in flight
   Chunk *free_chunks;
   Draft *free_drafts;
 };
 
 // ---- chunks and drafts -------------------------------------------------------
+
+static size_t chunk_bytes(const LsysPipeline *p) {
+  const LsysWriter *shape = &p->hands[0].writer;
+  return shape->sym_bytes + shape->arg_room * sizeof(double) + shape->key_room * sizeof(uint64_t);
+}
+
+static size_t piece_bytes(const LsysPipeline *p, const Piece *piece) {
+  return piece->chunk ? chunk_bytes(p) : piece->draft ? piece->draft->prepared.room : 0;
+}
 
 static void free_chunk(const LsysPipeline *p, Chunk *chunk) {
   const LsysWriter *shape = &p->hands[0].writer;
@@ -129,6 +141,11 @@ static Draft *new_draft(LsysPipeline *p) {
   return draft;
 }
 
+static void release(LsysPipeline *p, Draft *draft) {
+  draft->next = p->free_drafts;
+  p->free_drafts = draft;
+}
+
 static void free_draft(const LsysPipeline *p, Draft *draft) {
   lsys_memory_free(p->memory, draft->prepared.data, draft->prepared.room, 1);
   lsys_memory_free(p->memory, draft, 1, sizeof *draft);
@@ -150,32 +167,33 @@ static Task *head(const LsysPipeline *p) {
   return p->retired < p->filled ? &p->ring[p->retired % p->ring_size] : NULL;
 }
 
-static unsigned most_chunks(const LsysPipeline *p) {
-  return p->team->count * CHUNKS_A_MEMBER;
+// The bytes that so many chunks may take.
+static size_t room_of(const LsysPipeline *p, size_t chunks) {
+  size_t bytes = chunk_bytes(p);
+  return chunks * (bytes < LEAST_CHUNK ? LEAST_CHUNK : bytes);
+}
+
+static size_t most_bytes(const LsysPipeline *p) {
+  return room_of(p, (size_t)p->team->count * CHUNKS_A_MEMBER);
 }
 
 // Whether the task has to wait with its next piece. Called with the lock held.
 static bool is_ahead(const LsysPipeline *p, const Task *task) {
-  unsigned most = most_chunks(p);
-  return task->count == MOST_PIECES || p->chunks >= (task == head(p) ? most : most - CHUNKS_OF_HEAD);
+  size_t kept = task == head(p) ? 0 : room_of(p, CHUNKS_OF_HEAD);
+  return task->count == MOST_PIECES || p->bytes + kept >= most_bytes(p);
 }
 
 // The memory of what the sink has read goes back to those who write.
 static void give_back(LsysPipeline *p) {
   pthread_mutex_lock(&p->lock);
+  p->bytes -= piece_bytes(p, &p->held);
   if (p->held.chunk) {
     p->held.chunk->next = p->free_chunks;
     p->free_chunks = p->held.chunk;
-    p->chunks--;
   }
-  if (p->held.draft) {
-    p->held.draft->next = p->free_drafts;
-    p->free_drafts = p->held.draft;
-    p->chunks--;
-  }
+  if (p->held.draft) release(p, p->held.draft);
   p->held = (Piece){0};
-  if (p->chunks <= most_chunks(p) / 2 || !head(p)->count)
-    pthread_cond_broadcast(&p->eased);  // not for every single one
+  if (p->bytes <= most_bytes(p) / 2 || !head(p)->count) pthread_cond_broadcast(&p->eased);  // not for every single one
   pthread_mutex_unlock(&p->lock);
 }
 
@@ -219,6 +237,7 @@ static bool consume(LsysPipeline *p, const Task *own) {
 // Called with the lock held.
 static void enter(LsysPipeline *p, Task *task, Piece piece) {
   task->piece[(task->first + task->count++) % MOST_PIECES] = piece;
+  p->bytes += piece_bytes(p, &piece);
   if (task == head(p)) pthread_cond_signal(&p->ahead);
 }
 
@@ -238,16 +257,39 @@ static bool enter_part(Hand *hand, const LsysWord *part) {
   bool well = wait_for_room(p, hand);
   Chunk *chunk = well && is_chunk ? exchange_chunk(p, &hand->writer) : NULL;
   if (is_chunk && !chunk) well = false;
-  p->chunks += is_chunk && well;
   if (well) enter(p, task, (Piece){.word = *part, .chunk = chunk});
   pthread_mutex_unlock(&p->lock);
   return well;
 }
 
+// Enters what is prepared.
+static void enter_draft(Hand *hand) {
+  LsysPipeline *p = hand->pipeline;
+  pthread_mutex_lock(&p->lock);
+  if (hand->draft->prepared.used)
+    enter(p, hand->task, (Piece){.draft = hand->draft});
+  else
+    release(p, hand->draft);
+  pthread_mutex_unlock(&p->lock);
+  hand->draft = NULL;
+}
+
+static bool take_draft(Hand *hand) {
+  LsysPipeline *p = hand->pipeline;
+  if (hand->draft) return true;
+  pthread_mutex_lock(&p->lock);
+  if (wait_for_room(p, hand)) hand->draft = new_draft(p);
+  pthread_mutex_unlock(&p->lock);
+  if (hand->draft) hand->draft->prepared.used = 0;
+  return hand->draft;
+}
+
 // Lets the sink prepare the part. The scratch goes along with the thread, not with the draft.
-static bool prepare(Hand *hand, const LsysWord *part, LsysPrepared *prepared) {
+static bool prepare(Hand *hand, const LsysWord *part) {
   const LsysSink *sink = hand->pipeline->sink;
-  prepared->used = 0;
+  LsysPrepared *prepared = &hand->draft->prepared;
+  prepared->declined = false;
+  prepared->place = hand->task->place;
   prepared->scratch = hand->scratch;
   prepared->scratch_bytes = hand->scratch_bytes;
   bool well = sink->prepare(sink, part, prepared);
@@ -256,31 +298,42 @@ static bool prepare(Hand *hand, const LsysWord *part, LsysPrepared *prepared) {
   return well;
 }
 
-// Enters what a sink that shares its work makes of a part.
+// Enters what a sink that shares its work makes of a part, if it does.
 static bool enter_prepared(Hand *hand, const LsysWord *part) {
+  if (!take_draft(hand) || !prepare(hand, part)) return false;
+  if (hand->draft->prepared.declined) {
+    enter_draft(hand);
+    return enter_part(hand, part);
+  }
+  if (!hand->pipeline->sink->block || hand->draft->prepared.used >= LEAST_CHUNK) enter_draft(hand);
+  return true;
+}
+
+static bool can_prepare(const LsysPipeline *p, const Task *task) {
+  return p->sink->prepare && (!p->sink->block || task->placed);
+}
+
+// Right into the sink, behind all that came before.
+static bool pass(Hand *hand, const LsysWord *part) {
   LsysPipeline *p = hand->pipeline;
-  Task *task = hand->task;
-  pthread_mutex_lock(&p->lock);
-  Draft *draft = wait_for_room(p, hand) ? new_draft(p) : NULL;
-  p->chunks += draft != NULL;
-  pthread_mutex_unlock(&p->lock);
-  if (!draft) return false;
-  bool well = prepare(hand, part, &draft->prepared);
-  pthread_mutex_lock(&p->lock);
-  enter(p, task, (Piece){.draft = draft});
-  pthread_mutex_unlock(&p->lock);
-  return well;
+  if (hand->draft) {
+    enter_draft(hand);
+    if (!consume(p, hand->task)) return false;
+  }
+  return give(p, part, NULL);
 }
 
 // A part that a member has written.
 static bool take(LsysSink *sink, const LsysWord *part) {
   Hand *hand = (Hand *)((char *)sink - offsetof(Hand, sink));
   LsysPipeline *p = hand->pipeline;
-  if (hand->member->number == 0) {
-    if (!consume(p, hand->task)) return false;
-    if (hand->task == head(p)) return give(p, part, NULL);
-  }
-  return p->sink->prepare ? enter_prepared(hand, part) : enter_part(hand, part);
+  bool consumes = hand->member->number == 0;
+  if (consumes && !consume(p, hand->task)) return false;
+  bool well = consumes && hand->task == head(p) ? pass(hand, part)
+            : can_prepare(p, hand->task)        ? enter_prepared(hand, part)
+                                                : enter_part(hand, part);
+  hand->task->place += part->nsym;
+  return well;
 }
 
 static void write(LsysMember *member, void *data, uint64_t i) {
@@ -289,6 +342,7 @@ static void write(LsysMember *member, void *data, uint64_t i) {
   hand->writer.stream.stack_limit = member->worker.stack_limit;
   lsys_writer_use(&hand->writer, hand->writer.sym, hand->writer.arg, hand->writer.key);
   p->write(member, p->data, i, &hand->writer.stream);
+  if (hand->draft) enter_draft(hand);
 }
 
 // A task that nobody took, now the member's; NULL if there is none now. Called with the lock held.
@@ -389,11 +443,13 @@ static bool begin(LsysPipeline *p) {
   return lsys_team_begin(p->team, help, p);
 }
 
-bool lsys_pipeline_add(LsysPipeline *p) {
+bool lsys_pipeline_add(LsysPipeline *p, const uint64_t *place) {
   if (!p->begun && p->filled >= p->alone && !begin(p)) return false;
   Task *task = &p->ring[p->filled % p->ring_size];
   pthread_mutex_lock(&p->lock);
   task->number = p->filled++;
+  task->placed = place != NULL;
+  task->place = place ? *place : 0;
   task->state = READY;
   pthread_cond_signal(&p->added);
   pthread_mutex_unlock(&p->lock);
@@ -415,6 +471,7 @@ static void close_task(const LsysPipeline *p, const Task *task) {
 
 static void close_hand(const LsysPipeline *p, Hand *hand) {
   lsys_memory_free(p->memory, hand->scratch, 1, hand->scratch_bytes);
+  if (hand->draft) free_draft(p, hand->draft);
   if (hand->writer.stream.run) lsys_writer_close(&hand->writer);
 }
 

@@ -19,8 +19,9 @@ bool lsys_pipeline_open(LsysPipeline **place, LsysTeam *team, LsysSink *sink, ui
 // How many stretches are under way at most: number i is over when i plus that many have been added.
 uint64_t lsys_pipeline_most(const LsysTeam *team);
 
-// One more stretch can be written; numbers count from 0. False after printing why the run has to stop.
-bool lsys_pipeline_add(LsysPipeline *pipeline);
+// One more stretch can be written, before which so many modules stand in the word, unless *place is NULL: nobody knows.
+// Numbers count from 0. False after printing why the run has to stop.
+bool lsys_pipeline_add(LsysPipeline *pipeline, const uint64_t *place);
 
 // Waits until the sink has all of them.
 bool lsys_pipeline_finish(LsysPipeline *pipeline);

@@ -322,7 +322,7 @@ bool lsys_spread_each(const LsysSpread *s, LsysSink *sink) {
 static bool flow(LsysSpread *s, LsysSink *sink, LsysPipelineWrite *write) {
   if (!lsys_pipeline_open(&s->pipeline, &s->team, sink, 0, write, s)) return false;
   for (uint32_t i = 0; i < s->group_count; i++)
-    if (!lsys_pipeline_add(s->pipeline)) return false;
+    if (!lsys_pipeline_add(s->pipeline, NULL)) return false;
   return lsys_pipeline_finish(s->pipeline);
 }
 

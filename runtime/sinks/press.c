@@ -100,7 +100,7 @@ void *lsys_press_add(LsysPress *p, size_t size) {
 bool lsys_press_send(LsysPress *p) {
   LsysWord part = part_of(p, p->filled);
   if (!part.nsym) return true;
-  if (!(p->pipeline ? lsys_pipeline_add(p->pipeline) : take(&p->sink, &part))) return false;
+  if (!(p->pipeline ? lsys_pipeline_add(p->pipeline, NULL) : take(&p->sink, &part))) return false;
   block(p, ++p->filled)->used = 0;
   return true;
 }

@@ -23,6 +23,8 @@ typedef struct LsysPrepared {
   size_t used, room;
   void *scratch;  // booked, of scratch_bytes bytes; NULL at first
   size_t scratch_bytes;
+  uint64_t place;  // modules of the word before the part, where the sink works by blocks
+  bool declined;   // set by prepare: the part is to be taken as it is
 } LsysPrepared;
 
 // Room for size more bytes behind what is used; NULL after printing why not.
@@ -44,7 +46,9 @@ struct LsysSink {
   void (*destroy)(LsysSink *sink);
 
   // Both or neither: what take does, split into what other threads may do with a part alone, in any order (the sink is
-  // only read), and what has to be done in the word's order.
+  // only read), and what has to be done in the word's order. With a block, in modules, prepare is of use only where it
+  // is known which parts a block consists of, and adds to what is prepared of the parts before.
+  uint64_t block;
   bool (*prepare)(const LsysSink *sink, const LsysWord *part, LsysPrepared *prepared);
   bool (*accept)(LsysSink *sink, const LsysPrepared *prepared);
 
