@@ -12,9 +12,10 @@ enum {
   FLUSH_ROOM = 64,  // for the end of a piece
 };
 
-bool lsys_pack(const void *text, size_t size, bool filtered, LsysPrepared *to) {
+bool lsys_pack(const void *text, size_t size, LsysPrepared *to) {
   z_stream packer = {0};
-  if (deflateInit2(&packer, LEVEL, Z_DEFLATED, -MAX_WBITS, 8, filtered ? Z_FILTERED : Z_DEFAULT_STRATEGY) != Z_OK) {
+  // Rows of pictures, too: lines repeat, which Z_FILTERED does not look for.
+  if (deflateInit2(&packer, LEVEL, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY) != Z_OK) {
     lsys_error("out of memory");
     return false;
   }

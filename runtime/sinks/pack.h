@@ -14,9 +14,8 @@ typedef struct LsysPiece {
 #define LSYS_PACK_HEAD "\x78\x9c"
 enum { LSYS_PACK_HEAD_SIZE = 2, LSYS_PACK_END_SIZE = 6 };
 
-// Appends a piece to `to`; size up to INT32_MAX. filtered: numbers around 0 rather than text. False after printing
-// that memory ran out.
-bool lsys_pack(const void *text, size_t size, bool filtered, LsysPrepared *to);
+// Appends a piece to `to`; size up to INT32_MAX. False after printing that memory ran out.
+bool lsys_pack(const void *text, size_t size, LsysPrepared *to);
 
 // The sum over a stream's text: of nothing, and with one more piece.
 uint32_t lsys_pack_begin(void);

@@ -107,7 +107,7 @@ static char *put_step(const LsysVector *vector, char *to, int64_t x, int64_t y) 
 }
 
 static bool pack(const void *text, size_t size, LsysPrepared *to) {
-  if (size <= INT32_MAX) return lsys_pack(text, size, false, to);
+  if (size <= INT32_MAX) return lsys_pack(text, size, to);
   lsys_error("the picture has a polygon that does not fit a PDF; write an .svg");  // of 10^8 corners
   return false;
 }

@@ -71,7 +71,7 @@ static inline uint32_t covered(Pixel *p, uint32_t rgb) {
 
 static inline uint32_t to_byte(const Raster *r, float cover) {
   if (!r->antialias) return cover >= 0.5f ? 255 : 0;
-  return (uint32_t)(fminf(cover, 1) * 255 + 0.5f);
+  return (uint32_t)((cover < 1 ? cover : 1) * 255 + 0.5f);
 }
 
 static void row(const LsysRaster *raster, uint32_t y, uint8_t *rgba) {
@@ -88,43 +88,65 @@ static void row(const LsysRaster *raster, uint32_t y, uint8_t *rgba) {
 
 // ---- lines ---------------------------------------------------------------
 
-// Where the pixels whose centres a capsule can touch begin and end on a row; centre lines at y.
-typedef struct Span {
-  int from, to;
-} Span;
-
 static int clamp(double x, int low, int high) {
   return x < low ? low : x > high ? high : (int)x;
 }
 
-// Between the two parallels at distance `reach` of the axis, and within its box.
-static Span line_span(const Raster *r, const LsysPoint *a, const LsysPoint *b, double y, double reach) {
-  double left = fmin(a->x, b->x) - reach, right = fmax(a->x, b->x) + reach;
+// The first pixel whose centre lies behind x, up to limit.
+static inline int centre_behind(double x, int limit) {
+  return x > -0.5 ? x < limit ? (int)(x + 0.5) : limit : 0;
+}
+
+// Where the pixels whose centres a segment can touch begin and end on a row.
+typedef struct Span {
+  int from, to;
+} Span;
+
+// The box around a segment, and the two parallels at a distance of its axis.
+typedef struct Strip {
+  double left, right;
+  double x, y, slope, half;  // the axis goes through (x,y); slope: columns a row; half: columns beside the axis
+} Strip;
+
+static Strip strip_of(const LsysPoint *a, const LsysPoint *b, double reach) {
   double dx = b->x - a->x, dy = b->y - a->y;
+  Strip s = {(dx < 0 ? b->x : a->x) - reach, (dx < 0 ? a->x : b->x) + reach, a->x, a->y, 0, INFINITY};
   if (fabs(dy) > 1e-9) {
-    double middle = a->x + (y - a->y) * dx / dy, half = reach * sqrt(dx * dx + dy * dy) / fabs(dy);
-    left = fmax(left, middle - half);
-    right = fmin(right, middle + half);
+    s.slope = dx / dy;
+    s.half = reach * sqrt(1 + s.slope * s.slope);
   }
-  return (Span){clamp(floor(left - 0.5) + 1, 0, r->width), clamp(floor(right - 0.5) + 1, 0, r->width)};
+  return s;
+}
+
+static inline Span span_of(const Raster *r, const Strip *s, double y) {
+  double middle = s->x + (y - s->y) * s->slope, left = middle - s->half, right = middle + s->half;
+  return (Span){centre_behind(left > s->left ? left : s->left, r->width),
+                centre_behind(right < s->right ? right : s->right, r->width)};
+}
+
+static inline float between(float x, float low, float high) {
+  x = x > low ? x : low;
+  return x < high ? x : high;
 }
 
 static void segment(Raster *r, const LsysPoint *a, const LsysPoint *b, double width, uint32_t rgb) {
   const double half = width / 2, reach = half + 0.5;
   const float dx = (float)(b->x - a->x), dy = (float)(b->y - a->y), squared = dx * dx + dy * dy;
   const float inverse = squared > 0 ? 1 / squared : 0, radius = (float)half;
-  int top = clamp(floor(fmin(a->y, b->y) - reach - 0.5) + 1, 0, r->height);
-  int bottom = clamp(floor(fmax(a->y, b->y) + reach - 0.5) + 1, 0, r->height);
+  const Strip strip = strip_of(a, b, reach);
+  int top = centre_behind((dy < 0 ? b->y : a->y) - reach, r->height);
+  int bottom = centre_behind((dy < 0 ? a->y : b->y) + reach, r->height);
   for (int y = top; y < bottom; y++) {
-    Span span = line_span(r, a, b, y + 0.5, reach);
+    Span span = span_of(r, &strip, y + 0.5);
     Pixel *p = r->pixel + (size_t)y * (size_t)r->width;
     float py = (float)(y + 0.5 - a->y), px = (float)(span.from + 0.5 - a->x);
     for (int x = span.from; x < span.to; x++, px += 1) {
-      float along = fminf(fmaxf((px * dx + py * dy) * inverse, 0), 1);
+      float along = between((px * dx + py * dy) * inverse, 0, 1);
       float ex = px - along * dx, ey = py - along * dy, distance = sqrtf(ex * ex + ey * ey);
-      float cover = fminf(distance + 0.5f, radius) - fmaxf(distance - 0.5f, -radius);
-      if (cover <= 0) continue;
-      uint32_t part = to_byte(r, cover);
+      float near = distance - 0.5f > -radius ? distance - 0.5f : -radius;
+      float far = distance + 0.5f < radius ? distance + 0.5f : radius;
+      if (far <= near) continue;
+      uint32_t part = to_byte(r, far - near);
       if (part > covered(&p[x], rgb)) p[x].top = part << 24 | rgb;
     }
   }
