@@ -391,12 +391,25 @@ static bool alone(const Ir *ir) {
   return true;
 }
 
+// Among few kinds, branches on the symbol are foretold better than a jump through a table: a fifth of the time of a
+// word whose modules come in rows of unforeseen length.
+static void prefer_branches(Ir *ir, LLVMValueRef function) {
+  enum { FEW = 8 };
+  static const char name[] = "no-jump-tables", value[] = "true";
+  uint32_t kinds = 0;
+  for (KindId kind = 0; kind < ir->program->kind_count; kind++) kinds += ir->facts->kinds[kind].reachable;
+  if (kinds > FEW) return;
+  LLVMAttributeRef attribute = LLVMCreateStringAttribute(ir->context, name, sizeof name - 1, value, sizeof value - 1);
+  LLVMAddAttributeAtIndex(function, LLVMAttributeFunctionIndex, attribute);
+}
+
 LLVMValueRef walk_emit(Ir *ir, const char *name, Way way, Each begin, Each each) {
   LLVMTypeRef types[] = {ir->types.ptr, ir->types.ptr};
   LLVMValueRef function = LLVMAddFunction(ir->module, name, LLVMFunctionType(ir->types.none, types, 2, false));
   LLVMSetLinkage(function, LLVMInternalLinkage);
   ir_attribute(ir, function, LLVMAttributeFunctionIndex, "nounwind");
   ir_attribute(ir, function, 2, "noalias");
+  prefer_branches(ir, function);
   debug_function(ir, function, (Span){0, 0});
   ir_at(ir, LLVMAppendBasicBlockInContext(ir->context, function, "entry"));
   Walk walk = {.scans = walk_scans(ir, LLVMGetParam(function, 0))};
