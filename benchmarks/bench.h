@@ -5,10 +5,11 @@
 #include <stdbool.h>
 
 typedef struct Options {
-  const char *home;      // the folder that holds lsysc-llvm.so
-  const char *lsysc;     // the compiler, for start-up times
-  const char *grammars;  // the folder of the rows' grammars
-  const char *only;      // NULL: every row
+  const char *home;       // the folder that holds lsysc-llvm.so
+  const char *lsysc;      // the compiler, for start-up times
+  const char *with_llvm;  // a compiler that holds LLVM (LSYSC_STATIC_LLVM), to be timed beside; NULL: none
+  const char *grammars;   // the folder of the rows' grammars
+  const char *only;       // NULL: every row
   unsigned runs;
   bool json;
   bool markdown;  // words, sweep: rows of the tables in docs/PERFORMANCE.md

@@ -27,9 +27,10 @@ bool bench_wants(const Options *options, const char *row) {
 }
 
 static int usage(FILE *to, int status) {
-  fputs("usage: bench [--json | --markdown] [--runs N] [--only ROW] [GROUP...]\n", to);
+  fputs("usage: bench [--json | --markdown] [--runs N] [--only ROW] [--static LSYSC] [GROUP...]\n", to);
   for (int i = 0; i < GROUPS; i++) fprintf(to, "  %-8s %s\n", groups[i].name, groups[i].doc);
   fputs("times C, x memcpy: how many times as long the other side takes (above 1: lsysc is faster)\n"
+        "--static: `start` times this compiler, too, which was built with -DLSYSC_STATIC_LLVM=ON\n"
         "first: the first write to each page is part of the time; warm: it is not; sum: streamed, not stored\n",
         to);
   return status;
@@ -55,6 +56,8 @@ int main(int argc, char **argv) {
       options.markdown = true;
     else if (strcmp(argv[i], "--runs") == 0 && more)
       options.runs = (unsigned)atoi(argv[++i]);
+    else if (strcmp(argv[i], "--static") == 0 && more)
+      options.with_llvm = argv[++i];
     else if (strcmp(argv[i], "--only") == 0 && more)
       options.only = argv[++i];
     else

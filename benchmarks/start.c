@@ -11,7 +11,7 @@
 
 typedef struct Command {
   const char *name;
-  const char *words[8];  // "LSYSC", "GRAMMAR" and "PROGRAM" stand for paths
+  const char *words[8];  // "LSYSC", "STATIC", "GRAMMAR" and "PROGRAM" stand for paths
 } Command;
 
 static const Command commands[] = {
@@ -23,10 +23,14 @@ static const Command commands[] = {
   {"lsysc -O0", {"LSYSC", "GRAMMAR", "-O0", "-o", "PROGRAM"}},
   {"lsysc -O2", {"LSYSC", "GRAMMAR", "-O2", "-o", "PROGRAM"}},
   {"the program -n 1", {"PROGRAM", "-n", "1"}},
+  {"static lsysc --help", {"STATIC", "--help"}},
+  {"static lsysc run -n 1", {"STATIC", "run", "GRAMMAR", "-n", "1"}},
+  {"static lsysc -O0", {"STATIC", "GRAMMAR", "-O0", "-o", "PROGRAM"}},
+  {"static lsysc -O2", {"STATIC", "GRAMMAR", "-O2", "-o", "PROGRAM"}},
 };
 
 typedef struct Paths {
-  const char *lsysc;
+  const char *lsysc, *with_llvm;
   char grammar[4096], program[4096];
 } Paths;
 
@@ -37,6 +41,7 @@ typedef struct Job {
 
 static char *resolve(const Paths *paths, const char *word) {
   if (strcmp(word, "LSYSC") == 0) return (char *)paths->lsysc;
+  if (strcmp(word, "STATIC") == 0) return (char *)paths->with_llvm;
   if (strcmp(word, "GRAMMAR") == 0) return (char *)paths->grammar;
   if (strcmp(word, "PROGRAM") == 0) return (char *)paths->program;
   return (char *)word;
@@ -62,12 +67,13 @@ static void run_command(void *data) {
 
 void bench_start(const Options *options) {
   enum { COUNT = sizeof commands / sizeof *commands };
-  Paths paths = {.lsysc = options->lsysc};
+  Paths paths = {.lsysc = options->lsysc, .with_llvm = options->with_llvm};
   snprintf(paths.grammar, sizeof paths.grammar, "%s/twenty.lsys", options->grammars);
   snprintf(paths.program, sizeof paths.program, "/tmp/lsysc-bench-%d", (int)getpid());
   if (!options->json) printf("%-22s %10s\n", "a 20-production grammar", "ms");
   for (int i = 0; i < COUNT; i++) {
     if (!bench_wants(options, commands[i].name)) continue;
+    if (strcmp(commands[i].words[0], "STATIC") == 0 && !options->with_llvm) continue;
     Job job = {&commands[i], &paths};
     Side side = {.name = commands[i].name, .run = run_command, .data = &job};
     measure(&side, 1, options->runs);
