@@ -149,7 +149,10 @@ static void describe_contexts(Arena *arena, const Program *program, const Facts 
   for (uint32_t i = 0; i < facts->view_count; i++) views[i] = describe_view(arena, program, facts->views[i]);
   grammar->views = views;
   grammar->view_count = facts->view_count;
+  double *numbers = arena_array(arena, program->lsystem_count, sizeof *numbers);
+  for (size_t i = 0; i < program->lsystem_count; i++) numbers[i] = program->lsystems[i].called;
   grammar->system_count = (uint32_t)program->lsystem_count;
+  grammar->system_number = numbers;
   for (size_t i = 0; i < program->lsystem_count; i++) {
     describe_contexts_of(&program->lsystems[i].productions, grammar);
     describe_contexts_of(&program->lsystems[i].homomorphism.productions, grammar);

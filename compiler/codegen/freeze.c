@@ -205,6 +205,7 @@ void freeze_grammar(Ir *ir, const Entries *entries) {
     FIELD(view_count, int_of(i32, g->view_count)),
     FIELD(left_window, int_of(i32, g->left_window)),
     FIELD(system_count, int_of(i32, g->system_count)),
+    FIELD(system_number, doubles(ir, g->system_number, g->system_count)),
     FIELD(block, pointer(ir, entries->block)),
     FIELD(decompose, pointer(ir, entries->decompose)),
     FIELD(derive, null),

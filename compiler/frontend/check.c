@@ -15,6 +15,7 @@ static void prepare(Check *check) {
   check->kind_map = map_create(check->arena);
   check->declaration_map = map_create(check->arena);
   check->system_map = map_create(check->arena);
+  check->called_map = map_create(check->arena);
   check->table_map = map_create(check->arena);
   check->poison = expr_number(check->arena, NAN, (Span){0, 0});
 }

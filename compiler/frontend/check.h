@@ -114,7 +114,8 @@ typedef struct Table {
 typedef struct System {
   const char *name;  // NULL: the main one
   Span span;
-  uint32_t number;
+  uint32_t number;  // its place
+  uint64_t called;  // by which number ?(n) calls it
   ProductionList productions[SECTION_COUNT];
   Expr *depth[SECTION_COUNT], *seed[SECTION_COUNT];
   bool warnings[SECTION_COUNT];
@@ -158,6 +159,7 @@ typedef struct Check {
   VEC(const char *) symbols;  // every declared name, of modules and surfaces
 
   Map *system_map, *table_map;
+  Map *called_map;  // number of an L-system -> its place
   VEC(System *) systems;
   bool first_is_main;
   System *system;  // where the statement stands that is being read
@@ -275,6 +277,7 @@ const char *check_beside(Check *check, const AstStatement *statement, const char
 // check_systems.c
 void systems_begin(Check *check);
 void systems_collect(Check *check, const AstStatement *statement);
+void systems_number(Check *check);
 uint32_t system_named(Check *check, const char *name, Span span);  // NONE after an error
 uint32_t table_named(Check *check, const System *system, const char *name, Span span);
 

@@ -265,5 +265,6 @@ void check_collect(Check *check) {
     }
   }
   functions_collected(check);
+  systems_number(check);
   place_globals(check);
 }

@@ -4,6 +4,7 @@
 #include "frontend/check.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 // ---- collecting ------------------------------------------------------------------
@@ -71,6 +72,31 @@ void systems_collect(Check *check, const AstStatement *statement) {
     check->system = check->systems.at[0];
   else if (statement->kind == AST_TABLE)
     collect_table(check, statement);
+}
+
+// The number that a name is; false: it is none, or a large one.
+static bool is_whole(const char *name, uint64_t *number) {
+  size_t digits = strspn(name, "0123456789");
+  if (digits == 0 || digits > 9 || name[digits]) return false;
+  *number = strtoull(name, NULL, 10);
+  return true;
+}
+
+// `?(n)` calls an L-system whose name is a number, as in cpfg, by that, the others by the numbers that are left.
+void systems_number(Check *check) {
+  for (size_t i = 0; i < check->systems.count; i++) {
+    System *system = check->systems.at[i];
+    if (system->name && is_whole(system->name, &system->called))
+      *map_place(check->called_map, NULL, system->called) = (uint32_t)i;
+  }
+  uint64_t next = 0;
+  for (size_t i = 0; i < check->systems.count; i++) {
+    System *system = check->systems.at[i];
+    if (system->name && is_whole(system->name, &system->called)) continue;
+    while (map_find(check->called_map, NULL, next) != MAP_NONE) next++;
+    system->called = next;
+    *map_place(check->called_map, NULL, next) = (uint32_t)i;
+  }
 }
 
 // ---- names ------------------------------------------------------------------------------
@@ -205,6 +231,7 @@ static bool is_pseudo(const ProductionList *productions) {
 static void finish_system(Check *check, const System *system, LSystem *result) {
   const ProductionList *productions = &system->productions[SECTION_MAIN];
   result->name = system->name;
+  result->called = (double)system->called;
   result->ring = system->ring;
   result->pseudo = is_pseudo(productions);
   result->productions = (Productions){productions->at, productions->count};

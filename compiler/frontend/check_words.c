@@ -2,6 +2,7 @@
 // predecessors with their formal parameters. Context matching as in ABOP p. 30-32.
 #include "frontend/check.h"
 
+#include <math.h>
 #include <string.h>
 
 static bool is_symbol(const AstModule *module, const char *symbol) {
@@ -10,17 +11,18 @@ static bool is_symbol(const AstModule *module, const char *symbol) {
 
 // ---- words -----------------------------------------------------------------------
 
-// `?(NAME, scale)` names a sub-L-system; in the Program it is its number. cpfg's names are numbers themselves.
+// `?(NAME, scale)` names a sub-L-system; in the Program it is the number that it is called by.
 static Expr *subsystem(Check *check, const AstExpr *ast) {
   const char *name = ast->kind == AST_NAME ? ast->name : NULL;
   if (ast->kind == AST_NUMBER) name = arena_printf(check->arena, "%.17g", ast->number);
   if (!name) return check_expression(check, ast);
   bool known = map_find(check->system_map, name, 0) != MAP_NONE;
-  bool number = ast->kind == AST_NUMBER && ast->number < (double)check->systems.count;
+  bool number = ast->kind == AST_NUMBER && ast->number < 1e9
+             && map_find(check->called_map, NULL, (uint64_t)ast->number) != MAP_NONE;
   bool bound = ast->kind == AST_NAME && name_is_bound(check, name_intern(check, name));
   if (!known && (number || bound)) return check_expression(check, ast);
   uint32_t index = system_named(check, name, ast->span);
-  return index == NONE ? check->poison : expr_number(check->arena, index, ast->span);
+  return index == NONE ? check->poison : expr_number(check->arena, (double)check->systems.at[index]->called, ast->span);
 }
 
 // What a label says, `@L("%.2f", x)`: it belongs to the kind, and the other arguments are numbers. NULL: no text.

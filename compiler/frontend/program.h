@@ -162,6 +162,7 @@ typedef struct Rewriting {  // a decomposition or homomorphism section
 // One L-system: the main one is number 0, the others come from `lsystem: NAME`.
 typedef struct LSystem {
   const char *name;
+  double called;  // by which number ?(n) calls it
   Productions productions;
   Rewriting decomposition, homomorphism;
   const char **tables;  // names

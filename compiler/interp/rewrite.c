@@ -4,6 +4,7 @@
 // Source: LANGUAGE.md 5.1-5.6.
 #include "interp/choose.h"
 
+#include <math.h>
 #include <string.h>
 
 void swap_words(Interp *interp) {
@@ -31,10 +32,11 @@ size_t system_at(Interp *interp, size_t *depth, size_t i) {
   size_t system = *depth ? interp->nesting[*depth - 1] : 0;
   if (is_symbol(interp, box->kind, "?") && interp->program->kinds[box->kind].arity) {
     double number = interp->word.arg[box->args];
-    bool known = number >= 0 && number < (double)interp->program->lsystem_count;
-    if (!known) lsys_fail(interp->scope.run, "?(%.17g): there is no L-system of that number", number);
+    size_t called = 0, count = interp->program->lsystem_count;
+    while (called < count && interp->program->lsystems[called].called != floor(number)) called++;
+    if (called == count) lsys_fail(interp->scope.run, "?(%.17g): there is no L-system of that number", number);
     BOXES_RESERVE(interp->scope.run, interp->nesting, *depth, interp->nesting_room);
-    interp->nesting[(*depth)++] = (uint32_t)number;
+    interp->nesting[(*depth)++] = (uint32_t)called;
   }
   return system;
 }

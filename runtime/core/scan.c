@@ -3,6 +3,7 @@
 // ones from a cursor that jumps over whole branches.
 #include "core/scan.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -168,8 +169,10 @@ void lsys_scan_close(LsysScan *scan) {
 // ---- sub-L-systems ---------------------------------------------------------------
 
 void lsys_scan_enter(LsysScan *scan, double number) {
-  if (!(number >= 0 && number < scan->run->grammar->system_count))
-    lsys_fail(scan->run, "?(%.17g): there is no L-system of that number", number);
+  const LsysGrammar *grammar = scan->run->grammar;
+  uint32_t called = 0;
+  while (called < grammar->system_count && grammar->system_number[called] != floor(number)) called++;
+  if (called == grammar->system_count) lsys_fail(scan->run, "?(%.17g): there is no L-system of that number", number);
   if (scan->nested == scan->around_room) {
     size_t room = scan->around_room ? 2 * scan->around_room : 64;
     lsys_charge(scan->run, (int64_t)((room - scan->around_room) * sizeof *scan->around));
@@ -179,7 +182,7 @@ void lsys_scan_enter(LsysScan *scan, double number) {
     scan->around_room = room;
   }
   scan->around[scan->nested++] = scan->system;
-  scan->system = (uint32_t)number;
+  scan->system = called;
 }
 
 void lsys_scan_leave(LsysScan *scan) {

@@ -118,6 +118,7 @@ static char *derive_on(unsigned threads, uint64_t stretch, void (*step)(LsysScan
                          .views = &(LsysContextView){classes, flags & LSYS_GRAMMAR_RING},
                          .view_count = 1,
                          .system_count = 1,
+                         .system_number = (const double[]){0},
                          .left_window = 2};
   LsysMemory memory = {.limit = UINT64_MAX / 4};
   LsysDerivation derivation;

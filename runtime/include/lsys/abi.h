@@ -24,7 +24,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define LSYS_ABI_VERSION 5u
+#define LSYS_ABI_VERSION 6u
 
 #define LSYS_FAR (UINT64_C(1) << 62)  // more steps than any derivation has; see expand
 
@@ -202,10 +202,11 @@ struct LsysGrammar {
   // out, with keys. Every grammar of compiled code has it but those without productions.
   void (*step)(LsysScan *scan, LsysStream *out);
   const LsysContextView
-    *views;               // how the L-systems' contexts see a word; step takes a scan of the first, others linked
-  uint32_t view_count;    // 1 or more
-  uint32_t left_window;   // the most modules that a left context asks for
-  uint32_t system_count;  // L-systems, sub-L-systems included
+    *views;                     // how the L-systems' contexts see a word; step takes a scan of the first, others linked
+  uint32_t view_count;          // 1 or more
+  uint32_t left_window;         // the most modules that a left context asks for
+  uint32_t system_count;        // L-systems, sub-L-systems included
+  const double *system_number;  // by which ?(n) calls each
 
   // Runs a block, LSYS_BLOCK_*; Start first resets globals, arrays, table and stopped. NULL: the grammar has no state.
   void (*block)(LsysRun *run, uint32_t which);
