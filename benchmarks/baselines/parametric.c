@@ -178,10 +178,31 @@ void baseline_ternary_tree(Packed *out, unsigned steps, uint64_t seed) {
 
 enum { GUARD_A, GUARD_B };
 
+// The last step without a branch: what each production writes is computed, and what holds is selected.
+static inline void guard_a_last(Cursor *c, double x, double y) {
+  bool low = y <= 3, high = y > 3, some = low | high;
+  double quotient = x / y;
+  uint16_t symbols = low ? GUARD_A | GUARD_B << 8 : high ? GUARD_B | GUARD_A << 8 : GUARD_A;
+  memcpy(c->sym, &symbols, 2);
+  c->sym += 1 + some;
+  c->arg[0] = low ? x * 1.5 : x;
+  c->arg[1] = low ? x + y : high ? quotient : y;
+  c->arg[2] = low ? y : 0;
+  c->arg += 2 + some;
+}
+
+static inline void guard_b_last(Cursor *c, double x) {
+  bool low = x < 1, high = x >= 1;
+  *c->sym++ = low ? GUARD_A : GUARD_B;
+  c->arg[0] = low ? x + 0.5 : high ? x - 1 : x;
+  c->arg[1] = x;
+  c->arg += 1 + low;
+}
+
 static void guard_b(Cursor *c, double x, unsigned steps);
 
 static void guard_a(Cursor *c, double x, double y, unsigned steps) {
-  for (; steps; steps--) {
+  for (; steps > 2; steps--) {
     if (y <= 3) {
       guard_a(c, x * 1.5, x + y, steps - 1);
       guard_b(c, y, steps - 1);
@@ -192,23 +213,40 @@ static void guard_a(Cursor *c, double x, double y, unsigned steps) {
     x = x / y;
     y = 0;
   }
-  *c->sym++ = GUARD_A;
-  c->arg[0] = x;
-  c->arg[1] = y;
-  c->arg += 2;
+  if (steps == 2 && y <= 3) {
+    guard_a_last(c, x * 1.5, x + y);
+    guard_b_last(c, y);
+  } else if (steps == 2 && y > 3) {
+    guard_b_last(c, x);
+    guard_a_last(c, x / y, 0);
+  } else if (steps == 1) {
+    guard_a_last(c, x, y);
+  } else {
+    *c->sym++ = GUARD_A;
+    c->arg[0] = x;
+    c->arg[1] = y;
+    c->arg += 2;
+  }
 }
 
 static void guard_b(Cursor *c, double x, unsigned steps) {
-  for (; steps; steps--) {
+  for (; steps > 1; steps--) {
     if (x < 1) {
-      guard_a(c, x + 0.5, x, steps - 1);
+      if (steps == 2)
+        guard_a_last(c, x + 0.5, x);
+      else
+        guard_a(c, x + 0.5, x, steps - 1);
       return;
     }
     if (!(x >= 1)) break;
     x -= 1;
   }
-  *c->sym++ = GUARD_B;
-  *c->arg++ = x;
+  if (steps == 1) {
+    guard_b_last(c, x);
+  } else {
+    *c->sym++ = GUARD_B;
+    *c->arg++ = x;
+  }
 }
 
 void baseline_guards(Packed *out, unsigned steps, uint64_t seed) {

@@ -13,6 +13,7 @@
 #include "codegen/ir.h"
 
 #include <ctype.h>
+#include <limits.h>
 #include <string.h>
 
 bool expand_takes_scan(const Ir *ir, Way way) {
@@ -231,6 +232,54 @@ static void define_leaf(Rewrite *rewrite) {
   ir_at(ir, more);
 }
 
+static void choose(Rewrite *rewrite, const Productions *productions) {
+  if (select_production(rewrite, productions, flow_take)) flow_stay(rewrite);
+}
+
+// With few steps left, up to the most that are straight-line code, the choice stands apart, so that a module with more
+// of them passes one comparison. Where modules are written before the end (out->stop), steps only seem to be few.
+static void choose_near(Rewrite *rewrite, const Productions *productions, unsigned levels) {
+  Ir *ir = rewrite->scope.ir;
+  LLVMValueRef most = ir_int(ir, levels);
+  LLVMBasicBlockRef near = ir_block(ir, "near"), far = ir_block(ir, "far"), last = ir_block(ir, "last");
+  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntUGT, rewrite->ahead, most, ""), far, near);
+  ir_at(ir, near);
+  stop_at_zero(rewrite, rewrite->ahead, rewrite->self);
+  ir_branch(ir, LLVMBuildICmp(ir->builder, LLVMIntULE, rewrite->steps, most, ""), last, far);
+  ir_at(ir, last);
+  rewrite->near = levels;
+  if (leaf_kind(ir, rewrite->kind)) define_leaf(rewrite);
+  choose(rewrite, productions);
+  rewrite->near = 0;
+  ir_at(ir, far);
+}
+
+// The derivation of a module by rewrite->steps. Code that is to be there soon has the choice once.
+static void derive(Rewrite *rewrite, const Productions *productions) {
+  Ir *ir = rewrite->scope.ir;
+  unsigned levels = flow_levels(ir, rewrite->kind);
+  rewrite->ahead = LLVMBuildSub(ir->builder, rewrite->steps, expand_stop(ir, rewrite->out), "ahead");
+  if (ir->facts->kinds[rewrite->kind].fixed) use_blocks(rewrite);
+  prepare(rewrite, productions);
+  if (levels && ir->options->optimise >= 2) {
+    choose_near(rewrite, productions, levels);
+  } else {
+    stop_at_zero(rewrite, rewrite->ahead, rewrite->self);
+    if (leaf_kind(ir, rewrite->kind)) define_leaf(rewrite);
+    rewrite->near = levels ? UINT_MAX : 0;
+  }
+  choose(rewrite, productions);
+}
+
+// Decomposition, homomorphism: down to rewrite->depth levels.
+static void replace(Rewrite *rewrite, const Productions *productions) {
+  LLVMBasicBlockRef end = tells_limit(rewrite) ? ir_block(rewrite->scope.ir, "limit") : rewrite->self;
+  stop_at_zero(rewrite, rewrite->depth, end);
+  prepare(rewrite, productions);
+  choose(rewrite, productions);
+  if (end != rewrite->self) define_limit(rewrite, end, productions);
+}
+
 static void define(Ir *ir, Way way, size_t system, KindId kind) {
   Rewrite rewrite = {.scope = {.ir = ir, .constant_values = !ir->state}, .way = way, .kind = kind, .system = system};
   Walk walk = {0};
@@ -242,15 +291,7 @@ static void define(Ir *ir, Way way, size_t system, KindId kind) {
   begin(&rewrite, function);
   if (productions->count) debug_arguments(&rewrite, productions->at[0]);
   rewrite.self = ir_block(ir, "self");
-  if (way == WAY_EXPAND)
-    rewrite.ahead = LLVMBuildSub(ir->builder, rewrite.steps, expand_stop(ir, rewrite.out), "ahead");
-  if (way == WAY_EXPAND && ir->facts->kinds[kind].fixed) use_blocks(&rewrite);
-  LLVMBasicBlockRef end = tells_limit(&rewrite) ? ir_block(ir, "limit") : rewrite.self;
-  stop_at_zero(&rewrite, way == WAY_EXPAND ? rewrite.ahead : rewrite.depth, end);
-  prepare(&rewrite, productions);
-  if (way == WAY_EXPAND && leaf_kind(ir, kind)) define_leaf(&rewrite);
-  if (select_production(&rewrite, productions, flow_take)) flow_stay(&rewrite);
-  if (end != rewrite.self) define_limit(&rewrite, end, productions);
+  (way == WAY_EXPAND ? derive : replace)(&rewrite, productions);
   flow_settle(&rewrite);
 }
 

@@ -135,37 +135,62 @@ static void check_stack(Rewrite *rewrite) {
   ir_at(ir, go);
 }
 
-// The last steps straight-line: cases of the switch on the steps that are left.
-static void write_last(Rewrite *rewrite, const Production *production, const Derived *modules) {
+// ---- the last steps --------------------------------------------------------------
+
+// What is straight-line of a production: so many steps, the last of which may be its kind's, the last two those of
+// the successor's leaves.
+typedef struct Straight {
+  unsigned levels;
+  uint32_t room;  // of leaves two steps before the end; 0: they are written otherwise
+} Straight;
+
+static Straight straight(Ir *ir, const Production *production) {
+  Straight s = {.levels = fuse_levels(ir, production)};
+  if (s.levels < 2 && (s.room = leaf_room(ir, &production->successor)) != 0) s.levels = 2;
+  return s;
+}
+
+unsigned flow_levels(Ir *ir, KindId kind) {
+  const KindFacts *facts = &ir->facts->kinds[kind];
+  unsigned levels = leaf_kind(ir, kind);
+  if (facts->fixed) return 0;
+  for (size_t i = 0; i < facts->own.count; i++) {
+    unsigned own = straight(ir, facts->own.at[i]).levels;
+    if (levels < own) levels = own;
+  }
+  return levels;
+}
+
+// Cases of a switch on the steps that are left. False if there is no other case.
+static bool write_last(Rewrite *rewrite, const Production *production, const Derived *modules) {
   Ir *ir = rewrite->scope.ir;
   size_t count = production->successor.count;
-  bool leaf = leaf_kind(ir, rewrite->kind);
-  uint32_t leaves = leaf_room(ir, &production->successor);
-  unsigned levels = fuse_levels(ir, production);
-  if (levels <= leaf && !leaves) return;
-  bool by_leaves = leaves && levels < 2;
-  if (by_leaves) levels = 2;
+  Straight s = straight(ir, production);
+  unsigned first = leaf_kind(ir, rewrite->kind) ? 2 : 1;
+  if (s.levels < first) return true;
   LLVMBasicBlockRef more = ir_block(ir, "more");
-  LLVMValueRef choice = LLVMBuildSwitch(ir->builder, rewrite->steps, more, levels + 1);
-  for (unsigned level = leaf ? 2 : 1; level <= levels; level++) {
+  LLVMValueRef choice = LLVMBuildSwitch(ir->builder, rewrite->steps, more, s.levels + 1);
+  for (unsigned level = first; level <= s.levels; level++) {
     LLVMBasicBlockRef block = ir_block(ir, "last");
     LLVMAddCase(choice, ir_int(ir, level), block);
     ir_at(ir, block);
-    if (level == 2 && by_leaves)
-      leaf_write_word(rewrite, modules, count, leaves);
+    if (level == 2 && s.room)
+      leaf_write_word(rewrite, modules, count, s.room);
     else
       fuse_write(rewrite, modules, count, level - 1);
     flow_finish(rewrite);
   }
   ir_at(ir, more);
+  if (s.levels < rewrite->near) return true;
+  LLVMBuildUnreachable(ir->builder);
+  return false;
 }
 
 // The last steps straight-line, any others by calls.
 void flow_take(Rewrite *rewrite, const Production *production) {
-  Ir *ir = rewrite->scope.ir;
   size_t count = production->successor.count;
   const Derived *modules = successor_derive(rewrite, production);
-  if (rewrite->way == WAY_EXPAND && !ir->facts->kinds[rewrite->kind].fixed) write_last(rewrite, production, modules);
+  if (rewrite->near && !write_last(rewrite, production, modules)) return;
   if (recurs(rewrite, &production->successor)) check_stack(rewrite);
   for (size_t i = 0; i < count; i++) flow_hand_on(rewrite, &modules[i], i + 1 == count);
   if (count == 0) flow_finish(rewrite);

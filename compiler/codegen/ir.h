@@ -72,6 +72,7 @@ typedef struct Ir {
   IrTypes types;
   unsigned tail_convention;    // calling convention of the rewriting functions
   LLVMTailCallKind tail_kind;  // how their last calls are marked
+  unsigned flush_convention;   // of cursors.flush
   DebugInfo *debug;            // NULL without -g
 
   uint32_t *counter;              // per call site: its repetition counter, or NO_COUNTER
@@ -214,6 +215,7 @@ typedef struct Rewrite {
   LLVMValueRef left, deeper;    // steps and levels that the successor's modules have left
   LLVMBasicBlockRef self;       // writes the module as it is, and ends
   LLVMBasicBlockRef deep;       // ends the run for want of stack; NULL until needed
+  unsigned near;                // at most so many steps are left, one at least; 0: more
   bool silent;                  // what is written carries no keys
   Walk *walk;                   // where neighbours are looked for; NULL where there are no contexts
   LLVMBasicBlockRef done;       // where to go behind the last module; NULL: the function returns
@@ -318,6 +320,7 @@ LLVMValueRef expand_call(const Rewrite *rewrite, Way way, KindId kind, LLVMValue
 // flow.c: where modules go. All but flow_hand_on of a module before the last end the block.
 // A module that a rewriting produced goes on by the rewriting's way.
 void flow_hand_on(Rewrite *rewrite, const Derived *module, bool last);
+unsigned flow_levels(Ir *ir, KindId kind);  // the most steps that are written straight-line for such a module
 void flow_take(Rewrite *rewrite, const Production *production);  // what a production writes
 void flow_stay(Rewrite *rewrite);                                // where none applies
 void flow_settle(Rewrite *rewrite);                              // in rewrite->self: no step or level is left

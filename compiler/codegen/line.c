@@ -98,28 +98,25 @@ static void take_back(const Rewrite *rewrite, LLVMValueRef result) {
 
 // ---- room ------------------------------------------------------------------------
 
-// cursors.flush(out, cursors) returns the cursors behind lsys_flush: a function of the module's own, so that the many
-// places that ask for room are one call each.
+// cursors.flush(out) calls lsys_flush and leaves the caller's registers alone: next to never called, it must not make
+// others keep what they need in memory.
 static LLVMValueRef flush_function(Ir *ir) {
   LLVMValueRef function = LLVMGetNamedFunction(ir->module, "cursors.flush");
   if (function) return function;
   LLVMBasicBlockRef here = LLVMGetInsertBlock(ir->builder);
   LLVMMetadataRef location = LLVMGetCurrentDebugLocation2(ir->builder);
-  LLVMTypeRef types[4] = {ir->types.ptr};
-  unsigned count = 1 + line_cursor_types(ir, types + 1);
-  function = LLVMAddFunction(ir->module, "cursors.flush", LLVMFunctionType(line_result_type(ir), types, count, false));
+  LLVMTypeRef types[] = {ir->types.ptr};
+  function = LLVMAddFunction(ir->module, "cursors.flush", LLVMFunctionType(ir->types.none, types, 1, false));
   LLVMSetLinkage(function, LLVMInternalLinkage);
+  LLVMSetFunctionCallConv(function, ir->flush_convention);
   ir_attribute(ir, function, LLVMAttributeFunctionIndex, "nounwind");
   ir_attribute(ir, function, LLVMAttributeFunctionIndex, "cold");
   ir_attribute(ir, function, LLVMAttributeFunctionIndex, "noinline");
   LLVMSetCurrentDebugLocation2(ir->builder, NULL);
   ir_at(ir, LLVMAppendBasicBlockInContext(ir->context, function, "entry"));
-  Rewrite rewrite = {.scope = {.ir = ir}, .out = LLVMGetParam(function, 0)};
-  line_begin(&rewrite, function, 1);
-  line_settle(&rewrite);
-  ir_call(ir, ir_runtime(ir, "lsys_flush", ir->types.none, types, 1, IR_ANY), &rewrite.out, 1);
-  line_fetch(&rewrite);
-  give_back(&rewrite);
+  LLVMValueRef out = LLVMGetParam(function, 0);
+  ir_call(ir, ir_runtime(ir, "lsys_flush", ir->types.none, types, 1, IR_ANY), &out, 1);
+  LLVMBuildRetVoid(ir->builder);
   ir_at(ir, here);
   LLVMSetCurrentDebugLocation2(ir->builder, location);
   return function;
@@ -127,9 +124,9 @@ static LLVMValueRef flush_function(Ir *ir) {
 
 void line_write_out(const Rewrite *rewrite) {
   Ir *ir = rewrite->scope.ir;
-  LLVMValueRef values[4] = {rewrite->out};
-  unsigned count = 1 + line_cursors(rewrite, values + 1);
-  take_back(rewrite, ir_call(ir, flush_function(ir), values, count));
+  line_settle(rewrite);
+  ir_call(ir, flush_function(ir), (LLVMValueRef[]){rewrite->out}, 1);
+  line_fetch(rewrite);
 }
 
 // Lines are rounded up.

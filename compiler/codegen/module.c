@@ -12,6 +12,7 @@
 
 #define TAILCC 18u  // llvm::CallingConv::Tail
 #define FASTCC 8u   // llvm::CallingConv::Fast
+#define KEEPCC 15u  // llvm::CallingConv::PreserveAll
 
 #define MIRROR(Type, field, place) _Static_assert(offsetof(Type, field) == (place), #Type "." #field " moved")
 MIRROR(LsysStream, sym, 8 * STREAM_SYM);
@@ -121,6 +122,7 @@ void ir_create(Ir *ir, LLVMContextRef context, LLVMTargetMachineRef machine) {
   bool plain = !promised || (ir->options->optimise >= 2 && strncmp(triple, "x86_64", 6) == 0 && in_registers(ir));
   ir->tail_convention = plain ? FASTCC : TAILCC;
   ir->tail_kind = plain ? LLVMTailCallKindTail : LLVMTailCallKindMustTail;
+  ir->flush_convention = promised && ir->options->optimise >= 2 ? KEEPCC : LLVMCCallConv;
   LLVMDisposeMessage(triple);
   make_types(&ir->types, context, ir->description->flags & LSYS_GRAMMAR_WIDE);
 }

@@ -52,6 +52,7 @@ static bool find(const Ir *ir, KindId kind, Pick *pick) {
   const KindFacts *facts = &ir->facts->kinds[kind];
   uint32_t arity = ir->program->kinds[kind].arity;
   *pick = (Pick){.longest = 1, .arguments = arity, .budget = MOST_COST};
+  if (ir->options->optimise < 2) return false;  // selected quickly, they are branches
   if (ir->debug || ir->state || ir->stepping || ir->shown_keys) return false;
   if (facts->decompositions.count || arity > MOST_ARGUMENTS) return false;
   for (size_t i = 0; i < facts->own.count && !pick->certain; i++) {
