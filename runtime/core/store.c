@@ -39,10 +39,6 @@ bool lsys_store_reserve(LsysStore *store, uint64_t sym_bytes, uint64_t narg, uin
   return well;
 }
 
-static size_t least(size_t a, size_t b) {
-  return a < b ? a : b;
-}
-
 // Decides how what follows is written: by a page ahead in the array where the greater part of the word grows, which
 // what was written so far has not brought along.
 static void look_ahead(LsysStore *store) {
@@ -52,7 +48,8 @@ static void look_ahead(LsysStore *store) {
   size_t at = arg ? arguments : symbols, room = arg ? store->arg_room * sizeof(double) : store->sym_bytes;
   if (at < store->looked) return;
   store->looked = at + DECIDED;
-  store->past = symbols + arguments > CACHED && !lsys_page_fresh(array + least(at + DECIDED, room - 1));
+  size_t ahead = at + DECIDED < room ? at + DECIDED : room - 1;
+  store->past = symbols + arguments > CACHED && !lsys_page_fresh(array + ahead);
 }
 
 // What was written in the store's place stands there already.
@@ -108,14 +105,13 @@ void lsys_store_open_at(LsysStore *store, const LsysGrammar *grammar, const Lsys
 
 bool lsys_store_lend(LsysStore *store, LsysLoan *place) {
   if (!store->sym) return false;
-  look_ahead(store);
   size_t used = store->nsym * store->width;
-  *place = (LsysLoan){.sym = store->sym + used, .sym_bytes = least(store->sym_bytes - used, DECIDED)};
+  *place = (LsysLoan){.sym = store->sym + used, .sym_bytes = store->sym_bytes - used};
   if (store->arg) {
     place->arg = store->arg + store->narg;
-    place->arg_room = least(store->arg_room - store->narg, DECIDED / sizeof(double));
+    place->arg_room = store->arg_room - store->narg;
   }
-  return !store->past;
+  return true;
 }
 
 void lsys_store_close(LsysStore *store) {

@@ -16,7 +16,7 @@ typedef struct LsysStore {
   uint64_t nsym, narg, nkey;
   unsigned width;
   bool fixed;     // the arrays are somebody else's and do not grow
-  bool past;      // parts are copied past the caches:
+  bool past;      // long parts from elsewhere are copied past the caches:
   size_t looked;  //   decided up to so many bytes of an array
 } LsysStore;
 
@@ -29,7 +29,7 @@ void lsys_store_open_at(LsysStore *store, const LsysGrammar *grammar, const Lsys
 // Room for a word of that size in all; false after printing that there is no memory.
 bool lsys_store_reserve(LsysStore *store, uint64_t sym_bytes, uint64_t narg, uint64_t nkey);
 
-// For a sink's lend: what has room behind the word. False where a copy past the caches is faster than writing there.
+// For a sink's lend: the room behind the word. False where there is none yet.
 bool lsys_store_lend(LsysStore *store, LsysLoan *place);
 
 // Makes it the empty word; the memory is kept.
