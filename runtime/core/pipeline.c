@@ -12,10 +12,10 @@
 
 enum {
   TASKS_A_MEMBER = 8,
-  MOST_PIECES = 128,      // of a task that wait to be consumed
-  CHUNKS_A_MEMBER = 8,    // in flight: pieces that are no references,
-  CHUNKS_OF_HEAD = 3,     //   kept for it,
-  LEAST_CHUNK = 1 << 15,  //   bytes of one, or fewer, as far as they are counted
+  MOST_PIECES = 128,     // of a task that wait to be consumed
+  CHUNKS_A_MEMBER = 8,   // in flight: pieces that are no references
+  CHUNKS_OF_HEAD = 3,    // kept for it
+  MOST_DRAFT = 1 << 12,  // bytes of a draft, and little more, that is not counted as a chunk
 };
 
 typedef enum State { READY, RUNNING, DONE, FAILED } State;
@@ -82,21 +82,12 @@ struct LsysPipeline {
   uint64_t retired;     // number of the head
   uint64_t next_ready;  // number of the first task that nobody took
   uint64_t filled;      // number of tasks that were added
-  size_t bytes;         // of chunks and drafts in flight
+  unsigned chunks;      // in flight, drafts included
   Chunk *free_chunks;
   Draft *free_drafts;
 };
 
 // ---- chunks and drafts -------------------------------------------------------
-
-static size_t chunk_bytes(const LsysPipeline *p) {
-  const LsysWriter *shape = &p->hands[0].writer;
-  return shape->sym_bytes + shape->arg_room * sizeof(double) + shape->key_room * sizeof(uint64_t);
-}
-
-static size_t piece_bytes(const LsysPipeline *p, const Piece *piece) {
-  return piece->chunk ? chunk_bytes(p) : piece->draft ? piece->draft->prepared.room : 0;
-}
 
 static void free_chunk(const LsysPipeline *p, Chunk *chunk) {
   const LsysWriter *shape = &p->hands[0].writer;
@@ -141,9 +132,15 @@ static Draft *new_draft(LsysPipeline *p) {
   return draft;
 }
 
+// As what a draft counts: what is made of blocks is small.
+static unsigned draft_chunks(const LsysPipeline *p) {
+  return p->sink->block ? 0 : 1;
+}
+
 static void release(LsysPipeline *p, Draft *draft) {
   draft->next = p->free_drafts;
   p->free_drafts = draft;
+  p->chunks -= draft_chunks(p);
 }
 
 static void free_draft(const LsysPipeline *p, Draft *draft) {
@@ -167,33 +164,28 @@ static Task *head(const LsysPipeline *p) {
   return p->retired < p->filled ? &p->ring[p->retired % p->ring_size] : NULL;
 }
 
-// The bytes that so many chunks may take.
-static size_t room_of(const LsysPipeline *p, size_t chunks) {
-  size_t bytes = chunk_bytes(p);
-  return chunks * (bytes < LEAST_CHUNK ? LEAST_CHUNK : bytes);
-}
-
-static size_t most_bytes(const LsysPipeline *p) {
-  return room_of(p, (size_t)p->team->count * CHUNKS_A_MEMBER);
+static unsigned most_chunks(const LsysPipeline *p) {
+  return p->team->count * CHUNKS_A_MEMBER;
 }
 
 // Whether the task has to wait with its next piece. Called with the lock held.
 static bool is_ahead(const LsysPipeline *p, const Task *task) {
-  size_t kept = task == head(p) ? 0 : room_of(p, CHUNKS_OF_HEAD);
-  return task->count == MOST_PIECES || p->bytes + kept >= most_bytes(p);
+  unsigned most = most_chunks(p);
+  return task->count == MOST_PIECES || p->chunks >= (task == head(p) ? most : most - CHUNKS_OF_HEAD);
 }
 
 // The memory of what the sink has read goes back to those who write.
 static void give_back(LsysPipeline *p) {
   pthread_mutex_lock(&p->lock);
-  p->bytes -= piece_bytes(p, &p->held);
   if (p->held.chunk) {
     p->held.chunk->next = p->free_chunks;
     p->free_chunks = p->held.chunk;
+    p->chunks--;
   }
   if (p->held.draft) release(p, p->held.draft);
   p->held = (Piece){0};
-  if (p->bytes <= most_bytes(p) / 2 || !head(p)->count) pthread_cond_broadcast(&p->eased);  // not for every single one
+  if (p->chunks <= most_chunks(p) / 2 || !head(p)->count)
+    pthread_cond_broadcast(&p->eased);  // not for every single one
   pthread_mutex_unlock(&p->lock);
 }
 
@@ -237,7 +229,6 @@ static bool consume(LsysPipeline *p, const Task *own) {
 // Called with the lock held.
 static void enter(LsysPipeline *p, Task *task, Piece piece) {
   task->piece[(task->first + task->count++) % MOST_PIECES] = piece;
-  p->bytes += piece_bytes(p, &piece);
   if (task == head(p)) pthread_cond_signal(&p->ahead);
 }
 
@@ -257,6 +248,7 @@ static bool enter_part(Hand *hand, const LsysWord *part) {
   bool well = wait_for_room(p, hand);
   Chunk *chunk = well && is_chunk ? exchange_chunk(p, &hand->writer) : NULL;
   if (is_chunk && !chunk) well = false;
+  p->chunks += is_chunk && well;
   if (well) enter(p, task, (Piece){.word = *part, .chunk = chunk});
   pthread_mutex_unlock(&p->lock);
   return well;
@@ -279,6 +271,7 @@ static bool take_draft(Hand *hand) {
   if (hand->draft) return true;
   pthread_mutex_lock(&p->lock);
   if (wait_for_room(p, hand)) hand->draft = new_draft(p);
+  p->chunks += hand->draft ? draft_chunks(p) : 0;
   pthread_mutex_unlock(&p->lock);
   if (hand->draft) hand->draft->prepared.used = 0;
   return hand->draft;
@@ -305,7 +298,7 @@ static bool enter_prepared(Hand *hand, const LsysWord *part) {
     enter_draft(hand);
     return enter_part(hand, part);
   }
-  if (!hand->pipeline->sink->block || hand->draft->prepared.used >= LEAST_CHUNK) enter_draft(hand);
+  if (!hand->pipeline->sink->block || hand->draft->prepared.used >= MOST_DRAFT) enter_draft(hand);
   return true;
 }
 
