@@ -52,8 +52,8 @@ static bool open_model(LsysModel *model, const LsysPalette *palette) {
 static void pack(Glb *g, const LsysVertex *v, uint8_t *to) {
   const float place[3] = {v->x, v->y, v->z};
   for (int i = 0; i < 3; i++) {
-    g->low[i] = fminf(g->low[i], place[i]);
-    g->high[i] = fmaxf(g->high[i], place[i]);
+    if (place[i] < g->low[i]) g->low[i] = place[i];
+    if (place[i] > g->high[i]) g->high[i] = place[i];
   }
   uint32_t rgb = g->palette->rgb[v->colour];
   memcpy(to, v, 6 * sizeof(float));

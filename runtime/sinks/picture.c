@@ -76,12 +76,22 @@ static LsysInk ink_of(const Picture *p, const LsysPen *pen, double factor) {
   return (LsysInk){ink_width(p, pen->width * p->layout.unit * factor), p->palette.rgb[pen->colour]};
 }
 
+// Places of the turtle's space on the page.
+static void put_on_page(const Picture *p, const LsysVec3 *v, size_t count, LsysPoint *to) {
+  if (p->solid) {
+    for (size_t i = 0; i < count; i++) to[i] = on_page(p, v[i]);
+    return;
+  }
+  const double x = p->layout.figure[p->current].x, y = p->layout.figure[p->current].y, scale = p->layout.scale;
+  for (size_t i = 0; i < count; i++) to[i] = (LsysPoint){x + v[i].x * scale, y - v[i].y * scale, v[i].z * scale};
+}
+
 static bool draw_stroke(Picture *p, const LsysVec3 *v, size_t count, const LsysPen *pen, bool joined) {
   LsysPoint point[BATCH];
   LsysInk ink = ink_of(p, pen, 1);
   for (size_t from = 0; from + 1 < count;) {
     size_t n = count - from < BATCH ? count - from : BATCH;
-    for (size_t i = 0; i < n; i++) point[i] = on_page(p, v[from + i]);
+    put_on_page(p, v + from, n, point);
     if (!p->canvas->line(p->canvas, point, n, &ink, joined || from)) return false;
     from += n - 1;  // the next part begins where this one ends
   }

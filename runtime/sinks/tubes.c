@@ -72,19 +72,34 @@ static void put_triangle(LsysTubes *t, uint32_t a, uint32_t b, uint32_t c) {
 
 // ---- edges ---------------------------------------------------------------
 
+// A row of vertices and the edges between them, for which there is room. goes_on: there is one to the last vertex, too.
+static void put_ends(LsysTubes *t, const LsysVec3 *p, uint32_t count, bool goes_on, uint8_t colour) {
+  Batch *b = t->batch;
+  const LsysVec3 shift = t->shift;
+  LsysVertex *v = b->vertex + b->vertices;
+  for (uint32_t i = 0; i < count; i++)
+    v[i] = (LsysVertex){
+      (float)(p[i].x + shift.x), (float)(p[i].y + shift.y), (float)(p[i].z + shift.z), 0, 0, 1, colour, {0}};
+  uint32_t first = (uint32_t)t->vertices, edges = count - !goes_on, *to = b->edge + 2 * b->edges;
+  for (uint32_t end = first + !goes_on; end < first + count; end++) {
+    *to++ = end - 1;
+    *to++ = end;
+  }
+  memset(b->edge_colour + b->edges, colour, edges);
+  b->vertices += count;
+  b->edges += edges;
+  t->vertices += count;
+  t->colour = colour;
+}
+
+// There are never more edges than vertices in a batch.
 static bool draw_edges(LsysTubes *t, const LsysVec3 *p, uint32_t count, const LsysPen *pen) {
-  const LsysVec3 up = {0, 0, 1};
-  uint32_t last = 0;
-  for (uint32_t i = 0; i < count; i++) {
+  for (uint32_t i = 0, n; i < count; i += n) {
     if (!room(t, 1, 0, 1)) return false;
-    uint32_t number = put_vertex(t, p[i], up, pen->colour);
-    if (i) {
-      t->batch->edge_colour[t->batch->edges] = pen->colour;
-      uint32_t *to = &t->batch->edge[2 * t->batch->edges++];
-      to[0] = last;
-      to[1] = number;
-    }
-    last = number;
+    uint64_t left = BATCH - t->batch->vertices, numbers = UINT32_MAX - t->vertices;
+    if (left > numbers) left = numbers;
+    n = count - i < left ? count - i : (uint32_t)left;
+    put_ends(t, p + i, n, i > 0, pen->colour);
   }
   return true;
 }
