@@ -43,7 +43,7 @@ bool lsys_store_reserve(LsysStore *store, uint64_t sym_bytes, uint64_t narg, uin
 // what was written so far has not brought along.
 static void look_ahead(LsysStore *store) {
   size_t symbols = store->nsym * store->width, arguments = store->narg * sizeof(double);
-  bool arg = store->arg_room;
+  bool arg = arguments > symbols;
   const char *array = arg ? (const char *)store->arg : (const char *)store->sym;
   size_t at = arg ? arguments : symbols, room = arg ? store->arg_room * sizeof(double) : store->sym_bytes;
   if (at < store->looked) return;
