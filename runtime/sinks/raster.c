@@ -28,9 +28,11 @@ typedef struct Edge {
   int winding;
 } Edge;
 
+// Where one crosses a subrow.
 typedef struct Crossing {
   double x;
   int winding;
+  uint32_t edge;
 } Crossing;
 
 typedef struct Raster {
@@ -38,8 +40,9 @@ typedef struct Raster {
   int width, height;
   bool antialias;
   Edge *edge;
+  uint32_t *active;  // edges that the row crosses, as far as it is known from left to right
   Crossing *crossing;
-  size_t edge_room, crossing_room;
+  size_t edge_room, active_room, crossing_room;
   LsysMemory *memory;
   uint64_t booked;  // of this and cover
   float *cover;     // of one row of a fill
@@ -195,16 +198,46 @@ static void add_span(const Raster *r, double from, double to) {
   r->cover[last] += weight * (float)(to - last);
 }
 
+static int by_x(const void *a, const void *b) {
+  const Crossing *c = a, *d = b;
+  if (c->x != d->x) return c->x < d->x ? -1 : 1;
+  return (c->edge > d->edge) - (c->edge < d->edge);
+}
+
+// From left to right; crossings are mostly in order. True if they all were.
+static bool sort(Crossing *crossing, size_t count) {
+  size_t moves = 0;
+  for (size_t i = 1; i < count; i++) {
+    Crossing c = crossing[i];
+    size_t at = i;
+    for (; at && crossing[at - 1].x > c.x; at--) crossing[at] = crossing[at - 1];
+    crossing[at] = c;
+    moves += i - at;
+    if (moves <= 4 * count) continue;
+    qsort(crossing, count, sizeof *crossing, by_x);
+    return false;
+  }
+  return moves == 0;
+}
+
+// Edges that cross the subrow go to the front in the order in which they do, so that they stand right for the next one.
+static void reorder(const Raster *r, size_t active, size_t crossed, double y) {
+  size_t end = active;
+  for (size_t i = active; i--;) {
+    const Edge *e = &r->edge[r->active[i]];
+    if (y < e->y0 || y >= e->y1) r->active[--end] = r->active[i];
+  }
+  for (size_t i = 0; i < crossed; i++) r->active[i] = r->crossing[i].edge;
+}
+
 static size_t sorted_crossings(const Raster *r, size_t active, double y) {
   size_t n = 0;
   for (size_t i = 0; i < active; i++) {
-    const Edge *e = &r->edge[i];
+    const Edge *e = &r->edge[r->active[i]];
     if (y < e->y0 || y >= e->y1) continue;
-    Crossing c = {e->x + (y - e->y0) * e->slope, e->winding};
-    size_t at = n++;
-    for (; at && r->crossing[at - 1].x > c.x; at--) r->crossing[at] = r->crossing[at - 1];
-    r->crossing[at] = c;
+    r->crossing[n++] = (Crossing){e->x + (y - e->y0) * e->slope, e->winding, r->active[i]};
   }
+  if (!sort(r->crossing, n)) reorder(r, active, n, y);
   return n;
 }
 
@@ -231,15 +264,11 @@ static void paint_row(Raster *r, int y, uint32_t rgb) {
   r->cover[r->width] = 0;
 }
 
-// Edges whose lower end is above y move behind the active ones that are kept.
-static size_t drop_passed(Raster *r, size_t active, double y) {
+// Forgets active edges whose lower end is above y.
+static size_t drop_passed(const Raster *r, size_t active, double y) {
   size_t kept = 0;
-  for (size_t i = 0; i < active; i++) {
-    if (r->edge[i].y1 > y) {
-      Edge e = r->edge[i];
-      r->edge[kept++] = e;
-    }
-  }
+  for (size_t i = 0; i < active; i++)
+    if (r->edge[r->active[i]].y1 > y) r->active[kept++] = r->active[i];
   return kept;
 }
 
@@ -247,6 +276,7 @@ static bool fill(LsysRaster *raster, const LsysPoint *point, const LsysVec3 *nor
   (void)normal;
   Raster *r = (Raster *)raster;
   if (!lsys_memory_fit(r->memory, &r->edge, &r->edge_room, count, sizeof *r->edge)
+      || !lsys_memory_fit(r->memory, &r->active, &r->active_room, count, sizeof *r->active)
       || !lsys_memory_fit(r->memory, &r->crossing, &r->crossing_room, count, sizeof *r->crossing))
     return false;
   size_t edges = make_edges(r, point, count);
@@ -254,10 +284,10 @@ static bool fill(LsysRaster *raster, const LsysPoint *point, const LsysVec3 *nor
   double last = r->edge[0].y1;
   for (size_t i = 1; i < edges; i++) last = fmax(last, r->edge[i].y1);
   int top = clamp(floor(r->edge[0].y0), 0, r->height), bottom = clamp(ceil(last), 0, r->height);
-  size_t next = 0, active = 0;  // edge[0..active) are crossed now, edge[next..) come later
+  size_t next = 0, active = 0;  // edge[next..) come later
   for (int y = top; y < bottom; y++) {
     active = drop_passed(r, active, y);
-    while (next < edges && r->edge[next].y0 < y + 1) r->edge[active++] = r->edge[next++];
+    while (next < edges && r->edge[next].y0 < y + 1) r->active[active++] = (uint32_t)next++;
     for (int k = 0; k < SUBROWS; k++) fill_subrow(r, active, y + (k + 0.5) / SUBROWS);
     paint_row(r, y, rgb);
   }
@@ -270,6 +300,7 @@ static void destroy(LsysRaster *raster) {
   Raster *r = (Raster *)raster;
   LsysMemory *memory = r->memory;
   lsys_memory_free(memory, r->edge, r->edge_room, sizeof *r->edge);
+  lsys_memory_free(memory, r->active, r->active_room, sizeof *r->active);
   lsys_memory_free(memory, r->crossing, r->crossing_room, sizeof *r->crossing);
   free(r->cover);
   lsys_memory_give(memory, r->booked);
