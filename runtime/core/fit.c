@@ -9,7 +9,7 @@
 
 #define MOST_WORK 1e8  // multiplications that are done to predict a size
 
-static double add_axiom(const LsysGrammar *grammar, uint32_t which, double *counts) {
+double lsys_fit_axiom(const LsysGrammar *grammar, uint32_t which, double *counts) {
   const LsysWord *word = &grammar->axioms[which].word;
   unsigned width = lsys_symbol_width(grammar);
   for (uint64_t i = 0; i < word->nsym; i++)
@@ -17,8 +17,7 @@ static double add_axiom(const LsysGrammar *grammar, uint32_t which, double *coun
   return (double)word->nsym;
 }
 
-// next = what one step makes of counts; returns the sum.
-static double grow(const LsysGrammar *grammar, const double *counts, double *next) {
+double lsys_fit_step(const LsysGrammar *grammar, const double *counts, double *next) {
   const LsysGrowth *growth = &grammar->growth;
   double sum = 0;
   memset(next, 0, grammar->kind_count * sizeof *next);
@@ -40,9 +39,9 @@ double lsys_fit_modules(const LsysDerivation *derivation) {
          sum = 0;
   if (!counts) return 0;
   double *both = counts;
-  for (uint32_t i = derivation->first_axiom; i < derivation->axiom_end; i++) sum += add_axiom(grammar, i, counts);
+  for (uint32_t i = derivation->first_axiom; i < derivation->axiom_end; i++) sum += lsys_fit_axiom(grammar, i, counts);
   for (uint64_t step = 0; step < run->steps && sum < 1e300; step++) {
-    sum = grow(grammar, counts, next);
+    sum = lsys_fit_step(grammar, counts, next);
     double *swap = counts;
     counts = next;
     next = swap;

@@ -123,10 +123,9 @@ static bool add_progress(Outputs *outputs, const LsysSinkContext *context) {
   return sink;
 }
 
-// A word longer than this takes minutes to walk through: what is known without doing so is used.
+// What is known of a word without walking through it is used.
 static bool is_long(const LsysDerivation *derivation) {
-  const double modules_of_minutes = 1e11;
-  return lsys_fit_modules(derivation) > modules_of_minutes;
+  return lsys_fit_modules(derivation) > LSYS_FIT_MINUTES;
 }
 
 // Says that nobody will see the end of this.
@@ -172,19 +171,15 @@ static void report_cost(const struct timespec *started) {
   lsys_note("%.3f s, %.1f MiB of memory at most", seconds, (double)usage.ru_maxrss / 1024);
 }
 
-// Figures that nobody could draw segment by segment are written as their parts, if the format can.
+// Figures that nobody would wait for segment by segment are written as their parts, if the format can.
 static bool must_share(const LsysDerivation *derivation, const LsysSinkContext *context) {
   const LsysOptionValue *options = context->options->at;
   static const LsysOption other[] = {LSYS_OPTION_RANGE,  LSYS_OPTION_COUNTS,     LSYS_OPTION_STATS,    LSYS_OPTION_HASH,
                                      LSYS_OPTION_CAMERA, LSYS_OPTION_PROJECTION, LSYS_OPTION_COLOUR_BY};
   for (size_t i = 0; i < sizeof other / sizeof *other; i++)
     if (options[other[i]].given) return false;
-  if (!context->grammar->growth.row || !context->grammar->expand || !lsys_shared_format(context)
-      || !is_long(derivation))
-    return false;
-  lsys_note("the word has %.3g modules: the figure is written as parts that it shares (--shared)",
-            lsys_fit_modules(derivation));
-  return true;
+  return context->grammar->growth.row && context->grammar->expand
+      && lsys_fit_modules(derivation) > lsys_shared_worth(context);
 }
 
 bool lsys_program_run(const LsysGrammar *grammar, const LsysOptions *options, LsysSink *own) {
@@ -198,9 +193,12 @@ bool lsys_program_run(const LsysGrammar *grammar, const LsysOptions *options, Ls
   clock_gettime(CLOCK_MONOTONIC, &started);
   bool well = lsys_derivation_open(&derivation, grammar, options, &memory);
   bool film = options->at[LSYS_OPTION_FRAMES].given || options->at[LSYS_OPTION_SVG_ANIMATE].given;
-  bool shared = well && !film && (options->at[LSYS_OPTION_SHARED].given || must_share(&derivation, &context));
-  if (well && (film || shared)) {
-    well = (film ? lsys_film_run : lsys_shared_run)(&derivation, &context);
+  bool asked = options->at[LSYS_OPTION_SHARED].given, done = false;
+  if (well && film)
+    well = lsys_film_run(&derivation, &context);
+  else if (well && (asked || must_share(&derivation, &context)))
+    well = lsys_shared_run(&derivation, &context, asked, &done);
+  if (film || done) {
     lsys_derivation_close(&derivation);
     return well;
   }

@@ -128,6 +128,10 @@ void lsys_layout_page(const LsysPictureOptions *options, LsysPage *page) {
   page->antialias = options->antialias;
 }
 
+LsysInk lsys_layout_ink(const LsysPage *page, double pixels, uint32_t rgb) {
+  return (LsysInk){fmin(fmax(pixels, 0.05), 4.0 * (page->width + page->height)), rgb};
+}
+
 void lsys_layout_fit(LsysLayout *layout, const LsysPictureOptions *options, LsysPage *page) {
   lsys_layout_page(options, page);
   Extent e = extent_of(layout);

@@ -35,6 +35,10 @@ void lsys_layout_tell_empty(const LsysLayout *layout);
 // What the options say of a page; the rest of it stays.
 void lsys_layout_page(const LsysPictureOptions *options, LsysPage *page);
 
+// What draws a width of so many pixels: 0 is still seen, and one that covers the page from any place is as good as any
+// greater one.
+LsysInk lsys_layout_ink(const LsysPage *page, double pixels, uint32_t rgb);
+
 // Fits the figures side by side, their feet on one line, to a page, of the options' size or
 // of one that suits them.
 void lsys_layout_fit(LsysLayout *layout, const LsysPictureOptions *options, LsysPage *page);

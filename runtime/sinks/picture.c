@@ -67,13 +67,8 @@ static LsysPoint on_page(const Picture *p, LsysVec3 v) {
   return (LsysPoint){f->x + s.x * p->layout.scale, f->y - s.y * p->layout.scale, s.z * p->layout.scale};
 }
 
-// A width of 0 is still seen, and one that covers the page from any place is as good as any greater one.
-static double ink_width(const Picture *p, double pixels) {
-  return fmin(fmax(pixels, 0.05), 4.0 * (p->page.width + p->page.height));
-}
-
 static LsysInk ink_of(const Picture *p, const LsysPen *pen, double factor) {
-  return (LsysInk){ink_width(p, pen->width * p->layout.unit * factor), p->palette.rgb[pen->colour]};
+  return lsys_layout_ink(&p->page, pen->width * p->layout.unit * factor, p->palette.rgb[pen->colour]);
 }
 
 // Places of the turtle's space on the page.
@@ -199,7 +194,7 @@ static bool ball(LsysGeometry *geometry, const LsysVec3 *centre, double diameter
     return p->measure.geometry.ball(&p->measure.geometry, &middle, diameter, disc, pen);
   }
   LsysPoint at[2] = {on_page(p, *centre), on_page(p, *centre)};
-  LsysInk ink = {ink_width(p, diameter * p->layout.scale), p->palette.rgb[pen->colour]};
+  LsysInk ink = lsys_layout_ink(&p->page, diameter * p->layout.scale, p->palette.rgb[pen->colour]);
   if (disc && p->solid) return draw_disc(p, at[0], ink.width / 2, ink.rgb);
   return p->canvas->line(p->canvas, at, 2, &ink, false);
 }

@@ -63,6 +63,8 @@ struct LsysCanvas {
   bool (*fill)(LsysCanvas *canvas, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb);
   bool (*close)(LsysCanvas *canvas);
   void (*destroy)(LsysCanvas *canvas);
+  // May be NULL: whether lines in this ink change nothing if all their points are that near to one.
+  bool (*covered)(const LsysCanvas *canvas, const LsysPoint *middle, double radius, const LsysInk *ink);
 };
 
 // A sink of two passes that draws to canvas and destroys it in the end. NULL after printing why.
@@ -77,5 +79,8 @@ struct LsysOut;
 LsysSink *lsys_svg_create(struct LsysOut *out, const LsysPictureOptions *options);
 LsysSink *lsys_pdf_create(struct LsysOut *out, const LsysPictureOptions *options);
 LsysSink *lsys_png_create(struct LsysOut *out, const LsysPictureOptions *options);
+
+// The canvas of a PNG alone, which has `covered` where the page is not solid. NULL after printing why.
+LsysCanvas *lsys_png_canvas(struct LsysOut *out);
 
 #endif

@@ -52,6 +52,11 @@ static bool fill(LsysCanvas *canvas, const LsysPoint *point, const LsysVec3 *nor
   return raster->fill(raster, point, normal, count, rgb);
 }
 
+static bool covered(const LsysCanvas *canvas, const LsysPoint *middle, double radius, const LsysInk *ink) {
+  const LsysRaster *raster = ((const Png *)canvas)->raster;
+  return raster->covered && raster->covered(raster, middle, radius, ink);
+}
+
 // ---- the file ------------------------------------------------------------
 
 static void write_bytes(png_structp png, png_bytep bytes, png_size_t size) {
@@ -222,13 +227,18 @@ static void destroy(LsysCanvas *canvas) {
   free(canvas);
 }
 
-LsysSink *lsys_png_create(LsysOut *out, const LsysPictureOptions *options) {
+LsysCanvas *lsys_png_canvas(LsysOut *out) {
   Png *p = calloc(1, sizeof *p);
   if (!p) {
     lsys_error("out of memory");
     return NULL;
   }
-  p->canvas = (LsysCanvas){reserve, open_page, line, fill, close_page, destroy};
+  p->canvas = (LsysCanvas){reserve, open_page, line, fill, close_page, destroy, covered};
   p->out = out;
-  return lsys_picture_create(&p->canvas, options);
+  return &p->canvas;
+}
+
+LsysSink *lsys_png_create(LsysOut *out, const LsysPictureOptions *options) {
+  LsysCanvas *canvas = lsys_png_canvas(out);
+  return canvas ? lsys_picture_create(canvas, options) : NULL;
 }

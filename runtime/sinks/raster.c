@@ -15,7 +15,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SUBROWS = 4 };
+enum {
+  SUBROWS = 4,
+  NOTHING_SEEN = 8,  // of 255
+};
 
 typedef struct Pixel {
   uint32_t base;  // 0xAARRGGBB, not premultiplied
@@ -64,7 +67,7 @@ static uint32_t merge(uint32_t base, uint32_t top) {
 }
 
 // The pixel's top layer in this colour: merges what is there if it has another one.
-static inline uint32_t covered(Pixel *p, uint32_t rgb) {
+static inline uint32_t cover_of(Pixel *p, uint32_t rgb) {
   if ((p->top & 0xffffff) != rgb) {
     if (p->top >> 24) p->base = merge(p->base, p->top);
     p->top = rgb;
@@ -132,6 +135,13 @@ static inline float between(float x, float low, float high) {
   return x < high ? x : high;
 }
 
+// How much of a pixel a line covers whose axis is that far from its middle.
+static inline float cover_at(float distance, float radius) {
+  float near = distance - 0.5f > -radius ? distance - 0.5f : -radius;
+  float far = distance + 0.5f < radius ? distance + 0.5f : radius;
+  return far - near;
+}
+
 static void segment(Raster *r, const LsysPoint *a, const LsysPoint *b, double width, uint32_t rgb) {
   const double half = width / 2, reach = half + 0.5;
   const float dx = (float)(b->x - a->x), dy = (float)(b->y - a->y), squared = dx * dx + dy * dy;
@@ -146,21 +156,44 @@ static void segment(Raster *r, const LsysPoint *a, const LsysPoint *b, double wi
     for (int x = span.from; x < span.to; x++, px += 1) {
       float along = between((px * dx + py * dy) * inverse, 0, 1);
       float ex = px - along * dx, ey = py - along * dy, distance = sqrtf(ex * ex + ey * ey);
-      float near = distance - 0.5f > -radius ? distance - 0.5f : -radius;
-      float far = distance + 0.5f < radius ? distance + 0.5f : radius;
-      if (far <= near) continue;
-      uint32_t part = to_byte(r, far - near);
-      if (part > covered(&p[x], rgb)) p[x].top = part << 24 | rgb;
+      float cover = cover_at(distance, radius);
+      if (cover <= 0) continue;
+      uint32_t part = to_byte(r, cover);
+      if (part > cover_of(&p[x], rgb)) p[x].top = part << 24 | rgb;
     }
   }
 }
 
+// Without anti-aliasing a thinner line would have gaps.
+static double width_of(const Raster *r, const LsysInk *ink) {
+  return r->antialias ? ink->width : fmax(ink->width, 1);
+}
+
 static void line(LsysRaster *raster, const LsysPoint *point, size_t count, const LsysInk *ink) {
   Raster *r = (Raster *)raster;
-  double width = ink->width;
-  // Without anti-aliasing a thinner line would have gaps.
-  if (!r->antialias) width = fmax(width, 1);
+  double width = width_of(r, ink);
   for (size_t i = 1; i < count; i++) segment(r, &point[i - 1], &point[i], width, ink->rgb);
+}
+
+// No pixel could be covered by more than NOTHING_SEEN above what it is.
+static bool covered(const LsysRaster *raster, const LsysPoint *middle, double radius, const LsysInk *ink) {
+  const Raster *r = (const Raster *)raster;
+  const double half = width_of(r, ink) / 2, reach = radius + half + 0.5;
+  const int left = clamp(floor(middle->x - reach), 0, r->width), right = clamp(ceil(middle->x + reach), 0, r->width);
+  const int top = clamp(floor(middle->y - reach), 0, r->height);
+  const int bottom = clamp(ceil(middle->y + reach), 0, r->height);
+  for (int y = top; y < bottom; y++) {
+    const Pixel *p = r->pixel + (size_t)y * (size_t)r->width;
+    const float dy = (float)(y + 0.5 - middle->y);
+    float dx = (float)(left + 0.5 - middle->x);
+    for (int x = left; x < right; x++, dx += 1) {
+      float nearest = fmaxf(sqrtf(dx * dx + dy * dy) - (float)radius, 0), cover = cover_at(nearest, (float)half);
+      if (cover <= 0) continue;
+      uint32_t most = to_byte(r, cover), is = (p[x].top & 0xffffff) == ink->rgb ? p[x].top >> 24 : 0;
+      if (most > is + NOTHING_SEEN) return false;
+    }
+  }
+  return true;
 }
 
 // ---- polygons ------------------------------------------------------------
@@ -258,7 +291,7 @@ static void paint_row(Raster *r, int y, uint32_t rgb) {
     uint32_t part = to_byte(r, r->cover[x]);
     r->cover[x] = 0;
     if (!part) continue;
-    uint32_t both = covered(&p[x], rgb) + part;
+    uint32_t both = cover_of(&p[x], rgb) + part;
     p[x].top = (both > 255 ? 255 : both) << 24 | rgb;
   }
   r->cover[r->width] = 0;
@@ -327,7 +360,7 @@ LsysRaster *lsys_raster_flat(const LsysPage *page) {
     lsys_error("a picture of %ux%u pixels does not fit into memory", page->width, page->height);
     return NULL;
   }
-  *r = (Raster){.raster = {line, fill, row, destroy},
+  *r = (Raster){.raster = {line, fill, row, destroy, covered},
                 .width = (int)page->width,
                 .height = (int)page->height,
                 .antialias = page->antialias,

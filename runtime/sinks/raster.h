@@ -14,6 +14,8 @@ struct LsysRaster {
   // One finished row: width pixels of R, G, B, A.
   void (*row)(const LsysRaster *raster, uint32_t y, uint8_t *rgba);
   void (*destroy)(LsysRaster *raster);
+  // As a canvas has it (picture.h); NULL: there is no telling.
+  bool (*covered)(const LsysRaster *raster, const LsysPoint *middle, double radius, const LsysInk *ink);
 };
 
 // Books the bytes of a raster. False after printing that it is too big.

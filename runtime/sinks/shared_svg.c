@@ -133,18 +133,6 @@ static bool child(void *data, uint32_t kind, uint64_t steps, const LsysPose *pos
 
 // ---- the file ------------------------------------------------------------
 
-static bool measure(Svg *s, uint32_t axiom, LsysPose *start) {
-  LsysPart whole;
-  if (!lsys_parts_figure(s->parts, axiom, start, &whole)) return false;
-  LsysMeasure m = {.segments = whole.segments < 1e18 ? (uint64_t)whole.segments : UINT64_C(1000000000000000000),
-                   .length = whole.segments < 1e18 ? whole.length : whole.length / whole.segments * 1e18,
-                   .thinnest = start->width,
-                   .thickest = start->width};
-  if (!lsys_support_box(&s->parts->directions, whole.support, &m.low, &m.high)) return true;
-  m.odd = !isfinite(m.low.x + m.low.y + m.high.x + m.high.y);
-  return lsys_layout_add(&s->layout, axiom, &m);
-}
-
 static bool write_figure(Svg *s, uint32_t axiom, const LsysPose *start) {
   const LsysFigure *f = &s->layout.figure[axiom];
   if (!f->drawn) return true;
@@ -176,7 +164,7 @@ static bool write_definitions(Svg *s) {
 static bool write_all(Svg *s, uint32_t first, uint32_t end, const LsysPictureOptions *options) {
   LsysPose start = {0};
   for (uint32_t i = first; i < end; i++) {
-    if (!measure(s, i, &start)) return false;
+    if (!lsys_shared_measure(s->parts, i, &s->layout, &start)) return false;
   }
   LsysPage page = {0};
   lsys_layout_fit(&s->layout, options, &page);

@@ -122,7 +122,7 @@ LsysCanvas *lsys_canvas_sorted(LsysCanvas *inner) {
     lsys_error("out of memory");
     return NULL;
   }
-  s->canvas = (LsysCanvas){NULL, open_page, line, fill, close_page, destroy};
+  s->canvas = (LsysCanvas){NULL, open_page, line, fill, close_page, destroy, NULL};
   s->inner = inner;
   return &s->canvas;
 }

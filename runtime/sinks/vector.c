@@ -251,7 +251,7 @@ LsysSink *lsys_vector_create(LsysVector *v, const LsysVectorFormat *format, Lsys
     lsys_error("out of memory");
     return NULL;
   }
-  v->canvas = (LsysCanvas){NULL, open_page, line, fill, close_page, destroy};
+  v->canvas = (LsysCanvas){NULL, open_page, line, fill, close_page, destroy, NULL};
   v->format = format;
   v->out = out;
   LsysCanvas *canvas = lsys_canvas_sorted(&v->canvas);

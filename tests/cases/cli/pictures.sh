@@ -17,7 +17,7 @@ head -c 4 bush.glb && echo
 ./plant -n 40 --shared -o big.svg && test $(wc -c < big.svg) -lt 40000 && echo "5^40 segments"
 ./bush -n 30 --shared -o big.glb && head -c 4 big.glb && echo
 ./bush --shared -o big.svg
-./plant --shared -o big.png
+./plant --shared -o big.obj
 ./plant -o plant.svg --size 0x10
 ./plant -o plant.svg --background purpel
 ./plant -o plant.svg --camera 30
