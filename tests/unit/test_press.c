@@ -124,11 +124,47 @@ static void refuses_memory(void **state) {
   }
 }
 
+// Of each number so much that few blocks are more than the chunks of a word.
+static bool put_much(const void *data, const void *block, size_t size, LsysPrepared *to) {
+  (void)data, (void)size;
+  char *room = lsys_prepared_room(to, 1 << 20);
+  if (!room) return false;
+  memset(room, *(const char *)block, 1 << 20);
+  to->used += 1 << 20;
+  usleep(*(const unsigned char *)block % 7 == 0 ? 2000 : 0);
+  return true;
+}
+
+// The blocks come in order and are as large as they were made.
+static bool count_much(void *data, const LsysPrepared *text) {
+  unsigned char *next = data;
+  return text->used == 1 << 20 && (unsigned char)text->data[text->used - 1] == (*next)++;
+}
+
+static void makes_much_of_little(void **state) {
+  (void)state;
+  for (size_t t = 0; t < 4; t++) {
+    LsysMemory memory = {.limit = 1 << 28};
+    unsigned char next = 0;
+    LsysPress *press = lsys_press_open(&memory, teams[t], put_much, count_much, &next);
+    assert_non_null(press);
+    for (int i = 0; i < 200; i++) {
+      *(char *)lsys_press_add(press, 1) = (char)i;
+      assert_true(lsys_press_send(press));
+    }
+    assert_true(lsys_press_finish(press));
+    lsys_press_close(press);
+    assert_int_equal(next, 200);
+    assert_int_equal(memory.used, 0);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(keeps_order),
     cmocka_unit_test(stops),
     cmocka_unit_test(refuses_memory),
+    cmocka_unit_test(makes_much_of_little),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
