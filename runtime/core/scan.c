@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { SUMMED = 128 };
+
 // What `[` saves until its `]`; the window of the level stands in scan->saved.
 struct LsysLevel {
   LsysCursor ahead;
@@ -231,11 +233,6 @@ void scan_tables_free(ScanTables *tables) {
   lsys_memory_free(tables->memory, tables->turn, tables->grammar->kind_count, sizeof *tables->turn);
 }
 
-// A `[` whose `]` was not met yet.
-struct ScanOpen {
-  LsysSkip *skip;
-};
-
 void *scan_array(LsysRun *run, void *at, size_t *room, size_t count, size_t size) {
   if (count <= *room) return at;
   size_t wanted = 2 * count;
@@ -251,51 +248,67 @@ void scan_array_free(LsysRun *run, void *at, size_t room, size_t size) {
   free(at);
 }
 
-size_t scan_count(const LsysSegment *segment, uint32_t kind, bool wide) {
+// Sums of so many letters fit their own size, which makes them sums of vectors.
+static size_t count_letters(const uint8_t *at, const uint8_t *end, uint8_t kind) {
   size_t count = 0;
-  if (wide)
-    for (const uint8_t *at = segment->sym; at < segment->end; at += 2) count += symbol(at, true) == kind;
-  else
-    for (const uint8_t *at = segment->sym; at < segment->end; at++) count += *at == (uint8_t)kind;
+  for (; end - at >= SUMMED; at += SUMMED) {
+    uint8_t sum = 0;
+    for (int i = 0; i < SUMMED; i++) sum = (uint8_t)(sum + (at[i] == kind));
+    count += sum;
+  }
+  for (; at < end; at++) count += *at == kind;
   return count;
 }
 
-// Points the skips of one segment's brackets at what follows their branches.
-static void index_segment(ScanIndex *index, const ScanTables *tables, LsysRun *run, const LsysSegment *segment,
-                          uint32_t number, size_t *depth) {
+size_t scan_count(const LsysSegment *segment, uint32_t kind, bool wide) {
+  if (!wide) return count_letters(segment->sym, segment->end, (uint8_t)kind);
+  size_t count = 0;
+  for (const uint8_t *at = segment->sym; at < segment->end; at += 2) count += symbol(at, true) == kind;
+  return count;
+}
+
+static inline __attribute__((always_inline)) void find_branches(ScanBrackets *opens, ScanBrackets *closes,
+                                                                const ScanTables *tables, LsysRun *run,
+                                                                const LsysSegment *segment, uint32_t number,
+                                                                bool wide) {
   const double *arg = segment->arg;
-  uint32_t open = 0, width = 1u + tables->wide;
-  for (const uint8_t *at = segment->sym; at < segment->end; at += width) {
-    uint32_t kind = symbol(at, tables->wide);
+  uint32_t open = 0;
+  for (const uint8_t *at = segment->sym; at < segment->end; at += 1 + wide) {
+    uint32_t kind = symbol(at, wide);
     arg += tables->arity[kind];
-    if (kind == tables->open) {
-      index->stack = scan_array(run, index->stack, &index->stack_room, *depth + 1, sizeof *index->stack);
-      index->stack[(*depth)++].skip = &segment->skip[open++];
-    } else if (kind == tables->close && *depth) {
-      *index->stack[--*depth].skip = (LsysSkip){at + width, arg, number, open};
-    }
+    if (kind == tables->open)
+      scan_add(run, opens, (ScanBracket){at, arg, open++});
+    else if (kind == tables->close && opens->count)
+      segment->skip[opens->at[--opens->count].open] = (LsysSkip){at + 1 + wide, arg, number, open};
+    else if (kind == tables->close && closes)
+      scan_add(run, closes, (ScanBracket){at, arg, open});
   }
 }
 
-void scan_index(ScanIndex *index, const ScanTables *tables, LsysRun *run, LsysSegment *segments, uint32_t count) {
+void scan_branches(ScanBrackets *opens, ScanBrackets *closes, const ScanTables *tables, LsysRun *run,
+                   const LsysSegment *segment, uint32_t number) {
+  if (tables->wide)
+    find_branches(opens, closes, tables, run, segment, number, true);
+  else
+    find_branches(opens, closes, tables, run, segment, number, false);
+}
+
+void scan_index(ScanIndex *index, const ScanTables *tables, LsysRun *run, LsysSegment *word) {
   if (tables->open == LSYS_NO_MODULE || !(tables->grammar->flags & LSYS_GRAMMAR_RIGHT)) return;
-  size_t total = 0, used = 0, depth = 0;
-  for (uint32_t i = 0; i < count; i++)
-    total += segments[i].skip_count = scan_count(&segments[i], tables->open, tables->wide);
-  index->skips = scan_array(run, index->skips, &index->room, total, sizeof *index->skips);
-  for (uint32_t i = 0; i < count; i++) {
-    segments[i].skip = index->skips + used;
-    used += segments[i].skip_count;
-    index_segment(index, tables, run, &segments[i], i, &depth);
+  word->skip_count = scan_count(word, tables->open, tables->wide);
+  word->skip = index->skips = scan_array(run, index->skips, &index->room, word->skip_count + 1, sizeof *index->skips);
+  ScanBrackets *opens = &index->opens;
+  opens->count = 0;
+  scan_branches(opens, NULL, tables, run, word, 0);
+  while (opens->count) {  // an unclosed branch goes on to the end of the word
+    uint32_t open = opens->at[--opens->count].open;
+    word->skip[open] = (LsysSkip){word->end, NULL, 0, (uint32_t)word->skip_count};
   }
-  const LsysSegment *last = &segments[count - 1];  // an unclosed branch goes on to the end of the word
-  while (depth) *index->stack[--depth].skip = (LsysSkip){last->end, NULL, count - 1, (uint32_t)last->skip_count};
 }
 
 void scan_index_free(ScanIndex *index, LsysRun *run) {
-  lsys_charge(run, -(int64_t)(index->room * sizeof *index->skips + index->stack_room * sizeof *index->stack));
-  free(index->skips);
-  free(index->stack);
+  scan_array_free(run, index->skips, index->room, sizeof *index->skips);
+  scan_array_free(run, index->opens.at, index->opens.room, sizeof *index->opens.at);
 }
 
 // In a ring the window begins with the last seen modules of the word.

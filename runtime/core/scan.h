@@ -26,15 +26,31 @@ void scan_tables_free(ScanTables *tables);
 // How often a kind stands in a segment.
 size_t scan_count(const LsysSegment *segment, uint32_t kind, bool wide);
 
-// Fills the skips of all segments: each `[` learns where its branch continues. The arrays are grown as
-// needed and reused from step to step; the run ends when memory does.
+// A bracket and what stands behind it.
+typedef struct ScanBracket {
+  const uint8_t *sym;
+  const double *arg;
+  uint32_t open;  // ordinal of the next `[` from there on; of a `[`: its own
+} ScanBracket;
+
+typedef struct ScanBrackets {
+  ScanBracket *at;
+  size_t count, room;
+} ScanBrackets;
+
+// Fills the skips of branches that end in segment `number`, where they begin. Brackets without a partner in it are left
+// in `opens`, which is empty before, and added to `closes` unless that is NULL.
+void scan_branches(ScanBrackets *opens, ScanBrackets *closes, const ScanTables *tables, LsysRun *run,
+                   const LsysSegment *segment, uint32_t number);
+
+// Gives a whole word its skips: each `[` learns where its branch continues. The arrays are grown as needed and reused
+// from step to step; the run ends when memory does.
 typedef struct ScanIndex {
   LsysSkip *skips;
   size_t room;
-  struct ScanOpen *stack;
-  size_t stack_room;
+  ScanBrackets opens;
 } ScanIndex;
-void scan_index(ScanIndex *index, const ScanTables *tables, LsysRun *run, LsysSegment *segments, uint32_t count);
+void scan_index(ScanIndex *index, const ScanTables *tables, LsysRun *run, LsysSegment *word);
 void scan_index_free(ScanIndex *index, LsysRun *run);
 
 // A scan at the beginning of the word, which is all zeros or was used before. left has room for the grammar's window.
@@ -61,5 +77,10 @@ void scan_enter(LsysScan *scan, uint32_t segment, const ScanBorder *border);
 // there is no memory.
 void *scan_array(LsysRun *run, void *at, size_t *room, size_t count, size_t size);
 void scan_array_free(LsysRun *run, void *at, size_t room, size_t size);
+
+static inline void scan_add(LsysRun *run, ScanBrackets *to, ScanBracket bracket) {
+  if (to->count == to->room) to->at = scan_array(run, to->at, &to->room, to->count + 1, sizeof *to->at);
+  to->at[to->count++] = bracket;
+}
 
 #endif

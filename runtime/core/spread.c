@@ -39,7 +39,6 @@ typedef struct Share {
   LsysWriter writer;
   LsysScan scan;
   LsysNeighbour *left;
-  SurveyStack stack;
   Record *records;
   size_t record_count, record_room;
   uint64_t round;  // the step that it writes to words[writes] in
@@ -158,9 +157,8 @@ static bool make_skips(LsysSpread *s) {
 
 static void survey(LsysMember *member, void *data, uint64_t i) {
   LsysSpread *s = data;
-  Share *share = &s->shares[member->number];
   for (uint32_t k = s->groups[i].first; k < s->groups[i].end; k++)
-    survey_segment(&s->surveys[k], &share->stack, &s->tables, &member->worker.run, &s->segments[k], k,
+    survey_segment(&s->surveys[k], &s->tables, &member->worker.run, &s->segments[k], k,
                    s->segments[k].arg + s->parts[k].narg);
 }
 
@@ -362,7 +360,6 @@ static void close_share(const LsysSpread *s, Share *share) {
     if (share->words[k].memory) lsys_store_close(&share->words[k]);
   if (share->writer.stream.run) lsys_writer_close(&share->writer);
   scan_free(&share->scan, run);
-  survey_stack_free(&share->stack, run);
   scan_array_free(run, share->records, share->record_room, sizeof *share->records);
   lsys_memory_free(memory, share->left, grammar_of(s)->left_window, sizeof *share->left);
 }

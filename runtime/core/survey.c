@@ -31,11 +31,6 @@ static uint32_t window(const ScanTables *tables) {
   return tables->grammar->left_window;
 }
 
-static void add(LsysRun *run, SurveyBrackets *to, SurveyBracket bracket) {
-  to->at = scan_array(run, to->at, &to->room, to->count + 1, sizeof *to->at);
-  to->at[to->count++] = bracket;
-}
-
 // ---- one segment -------------------------------------------------------------
 
 // From one end of a segment to the other: `[` behind which no `]` of its own follows, or, going forward, `]` before
@@ -101,17 +96,17 @@ static const uint8_t *last_open(Search *search) {
 static void find_brackets(Survey *survey, const ScanTables *tables, LsysRun *run, const LsysSegment *segment) {
   Search ahead = {.tables = tables, .at = segment->sym, .end = segment->end};
   const uint8_t *at;
-  while ((at = next_close(&ahead))) add(run, &survey->closes, (SurveyBracket){.sym = at});
+  while ((at = next_close(&ahead))) scan_add(run, &survey->closes, (ScanBracket){.sym = at});
   Search back = {.tables = tables, .at = segment->end, .end = segment->sym};
-  SurveyBrackets *opens = &survey->opens;
+  ScanBrackets *opens = &survey->opens;
   opens->count = (size_t)ahead.depth;
   opens->at = scan_array(run, opens->at, &opens->room, opens->count, sizeof *opens->at);
-  for (size_t i = opens->count; i-- > 0;) opens->at[i] = (SurveyBracket){.sym = last_open(&back)};
+  for (size_t i = opens->count; i-- > 0;) opens->at[i] = (ScanBracket){.sym = last_open(&back)};
 }
 
 // The places of arguments behind the brackets, which stand in order.
 static void find_arguments(Survey *survey, const ScanTables *tables, const LsysSegment *segment) {
-  SurveyBrackets *lists[] = {&survey->closes, &survey->opens};
+  ScanBrackets *lists[] = {&survey->closes, &survey->opens};
   const uint8_t *at = segment->sym, width = (uint8_t)(1 + tables->wide);
   const double *arg = segment->arg;
   for (int l = 0; l < 2; l++)
@@ -121,34 +116,9 @@ static void find_arguments(Survey *survey, const ScanTables *tables, const LsysS
     }
 }
 
-// All in one, with skips of the branches that end here.
-INLINE void find_branches(Survey *survey, SurveyBracket *stack, const ScanTables *tables, LsysRun *run,
-                          const LsysSegment *segment, uint32_t number, bool wide) {
-  const double *arg = segment->arg;
-  size_t top = 0;
-  uint32_t open = 0;
-  for (const uint8_t *at = segment->sym; at < segment->end; at += 1 + wide) {
-    uint32_t kind = symbol(at, wide);
-    arg += tables->arity[kind];
-    if (kind == tables->open)
-      stack[top++] = (SurveyBracket){at, arg, open++};
-    else if (kind == tables->close && top)
-      segment->skip[stack[--top].open] = (LsysSkip){at + 1 + wide, arg, number, open};
-    else if (kind == tables->close)
-      add(run, &survey->closes, (SurveyBracket){at, arg, open});
-  }
-  for (size_t i = 0; i < top; i++) add(run, &survey->opens, stack[i]);
-}
-
-static void find(Survey *survey, SurveyStack *stack, const ScanTables *tables, LsysRun *run, const LsysSegment *segment,
-                 uint32_t number) {
+static void find(Survey *survey, const ScanTables *tables, LsysRun *run, const LsysSegment *segment, uint32_t number) {
   if (segment->skip) {
-    size_t room = (size_t)(segment->end - segment->sym) / (1u + tables->wide) + 1;
-    stack->at = scan_array(run, stack->at, &stack->room, room, sizeof *stack->at);
-    if (tables->wide)
-      find_branches(survey, stack->at, tables, run, segment, number, true);
-    else
-      find_branches(survey, stack->at, tables, run, segment, number, false);
+    scan_branches(&survey->opens, &survey->closes, tables, run, segment, number);
     return;
   }
   find_brackets(survey, tables, run, segment);
@@ -191,7 +161,7 @@ static uint32_t look_back(const ScanTables *tables, const uint8_t *begin, const 
 
 static void find_near(Survey *survey, const ScanTables *tables, LsysRun *run, const LsysSegment *segment,
                       const double *end) {
-  const SurveyBrackets *closes = &survey->closes, *opens = &survey->opens;
+  const ScanBrackets *closes = &survey->closes, *opens = &survey->opens;
   size_t frames = opens->count + 1, width = 1 + (size_t)tables->wide;
   survey->near = scan_array(run, survey->near, &survey->near_room, frames * window(tables), sizeof *survey->near);
   survey->near_count = scan_array(run, survey->near_count, &survey->count_room, frames, sizeof *survey->near_count);
@@ -215,7 +185,7 @@ static uint32_t look_ahead(const ScanTables *tables, const uint8_t *at, const ui
 }
 
 static void find_next(Survey *survey, const ScanTables *tables, LsysRun *run, const LsysSegment *segment) {
-  const SurveyBrackets *closes = &survey->closes, *opens = &survey->opens;
+  const ScanBrackets *closes = &survey->closes, *opens = &survey->opens;
   survey->next = scan_array(run, survey->next, &survey->next_room, closes->count + 1, sizeof *survey->next);
   for (size_t c = 0; c <= closes->count; c++) {
     const uint8_t *begin = c ? closes->at[c - 1].sym + 1 : segment->sym;
@@ -224,11 +194,10 @@ static void find_next(Survey *survey, const ScanTables *tables, LsysRun *run, co
   }
 }
 
-void survey_segment(Survey *survey, SurveyStack *stack, const ScanTables *tables, LsysRun *run,
-                    const LsysSegment *segment, uint32_t number, const double *end) {
+void survey_segment(Survey *survey, const ScanTables *tables, LsysRun *run, const LsysSegment *segment, uint32_t number,
+                    const double *end) {
   survey->closes.count = survey->opens.count = 0;
-  if (tables->open != LSYS_NO_MODULE || tables->close != LSYS_NO_MODULE)
-    find(survey, stack, tables, run, segment, number);
+  if (tables->open != LSYS_NO_MODULE || tables->close != LSYS_NO_MODULE) find(survey, tables, run, segment, number);
   find_near(survey, tables, run, segment, end);
   if (tables->grammar->flags & LSYS_GRAMMAR_LETTERS) find_next(survey, tables, run, segment);
 }
@@ -239,10 +208,6 @@ void survey_free(Survey *survey, LsysRun *run) {
   scan_array_free(run, survey->near, survey->near_room, sizeof *survey->near);
   scan_array_free(run, survey->near_count, survey->count_room, sizeof *survey->near_count);
   scan_array_free(run, survey->next, survey->next_room, sizeof *survey->next);
-}
-
-void survey_stack_free(SurveyStack *stack, LsysRun *run) {
-  scan_array_free(run, stack->at, stack->room, sizeof *stack->at);
 }
 
 // ---- the path ----------------------------------------------------------------
@@ -320,7 +285,7 @@ static void follow_path(Path *path, const Survey *surveys, const ScanTables *tab
     const Survey *survey = &surveys[i];
     enter(path, &borders[i], survey->closes.count);
     for (size_t c = 0; c < survey->closes.count; c++) {
-      const SurveyBracket *close = &survey->closes.at[c];
+      const ScanBracket *close = &survey->closes.at[c];
       pop(path, (LsysSkip){close->sym + width, close->arg, i, close->open});
     }
     for (size_t f = 0; f <= survey->opens.count; f++) {

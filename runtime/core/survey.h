@@ -6,32 +6,14 @@
 
 #include "core/scan.h"
 
-// A bracket whose partner stands in another segment.
-typedef struct SurveyBracket {
-  const uint8_t *sym;
-  const double *arg;  // behind it
-  uint32_t open;      // ordinal of the next `[` from there on; of a `[`: its own
-} SurveyBracket;
-
-typedef struct SurveyBrackets {
-  SurveyBracket *at;
-  size_t count, room;
-} SurveyBrackets;
-
 // One segment by itself. Branches that it leaves open, and the axis that they stand on, are its frames.
 typedef struct Survey {
-  SurveyBrackets closes, opens;  // in order
-  LsysNeighbour *near;           // of each frame: its last seen modules, nearest first, window of them
-  uint32_t *near_count;          //   and how many there are; 1 or more counts where the window is 0, too
-  uint32_t *next;                // words of letters: the first seen module behind the border and each of `closes`
+  ScanBrackets closes, opens;  // whose partners stand in other segments, in order
+  LsysNeighbour *near;         // of each frame: its last seen modules, nearest first, window of them
+  uint32_t *near_count;        //   and how many there are; 1 or more counts where the window is 0, too
+  uint32_t *next;              // words of letters: the first seen module behind the border and each of `closes`
   size_t near_room, count_room, next_room;
 } Survey;
-
-// Room of one thread.
-typedef struct SurveyStack {
-  SurveyBracket *at;
-  size_t room;
-} SurveyStack;
 
 // All segments together, from step to step.
 typedef struct SurveyJoin {
@@ -44,17 +26,16 @@ typedef struct SurveyJoin {
   size_t left_room, level_room, saved_room, window_room, fresh_room, behind_room, kind_room;
 } SurveyJoin;
 
-// Looks through a segment, whose arguments end at `end`, and fills the skips of branches that end in it. Survey and
-// stack are all zeros or were used before. The run ends where there is no memory.
-void survey_segment(Survey *survey, SurveyStack *stack, const ScanTables *tables, LsysRun *run,
-                    const LsysSegment *segment, uint32_t number, const double *end);
+// Looks through a segment, whose arguments end at `end`, and fills the skips of branches that end in it. The survey is
+// all zeros or was used before. The run ends where there is no memory.
+void survey_segment(Survey *survey, const ScanTables *tables, LsysRun *run, const LsysSegment *segment, uint32_t number,
+                    const double *end);
 
 // Finds with what a scan enters each of the segments, and fills the other skips. The borders hold until the next join.
 void survey_join(SurveyJoin *join, const Survey *surveys, const ScanTables *tables, LsysRun *run,
                  const LsysSegment *segments, uint32_t count, ScanBorder *borders);
 
 void survey_free(Survey *survey, LsysRun *run);
-void survey_stack_free(SurveyStack *stack, LsysRun *run);
 void survey_join_free(SurveyJoin *join, LsysRun *run);
 
 #endif

@@ -28,7 +28,7 @@ LsysScan *lsys_walk_start(LsysWalk *walk, const LsysWord *word) {
   const LsysGrammar *grammar = run->grammar;
   const uint8_t *end = word->sym + word->nsym * lsys_symbol_width(grammar);
   walk->segment = (LsysSegment){.sym = word->sym, .end = end, .arg = word->arg, .key = word->key};
-  scan_index(&walk->index, &walk->tables, run, &walk->segment, 1);
+  scan_index(&walk->index, &walk->tables, run, &walk->segment);
   for (uint32_t i = grammar->view_count; i-- > 0;) {
     LsysScan *scan = &walk->scans[i];
     scan_start(scan, &walk->tables, &grammar->views[i], run, &walk->segment, 1,

@@ -89,7 +89,6 @@ static void random_words(void **unused) {
   LsysWorker worker = {.run = {.grammar = &grammar}};
   ScanTables tables;
   Survey survey = {0};
-  SurveyStack stack = {0};
   uint64_t state = 1;
   assert_true(scan_tables(&tables, &grammar, NULL));
   for (int i = 0; i < 4 * 7 * 60; i++) {
@@ -97,11 +96,10 @@ static void random_words(void **unused) {
     int length = i % 60 < 30 ? i % 60 : i % 60 * 11;
     make_word(&state, word, length, brackets[i % 4], opening[i / 4 % 7]);
     LsysSegment segment = {.sym = word, .end = word + length};
-    survey_segment(&survey, &stack, &tables, &worker.run, &segment, 0, NULL);
+    survey_segment(&survey, &tables, &worker.run, &segment, 0, NULL);
     compare(&survey, word, length);
   }
   survey_free(&survey, &worker.run);
-  survey_stack_free(&stack, &worker.run);
   scan_tables_free(&tables);
 }
 
