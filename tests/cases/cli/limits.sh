@@ -29,7 +29,7 @@ echo "a word of 10^8 modules in 100 MB of addresses"
 
 echo "what turtles, pictures and models hold"
 printf 'axiom: A\nA --> [[[[[[[[[[AF\n' > open.lsys
-lsysc run -w open.lsys -n 1000000 --max-memory 64M -o open.svg
+lsysc run -w open.lsys -n 1000000 --max-memory 64M -o open.svg 2>&1 | sed "s|memory: .* are in use|memory: N MiB are in use|"
 printf 'axiom: F&F\n' > space.lsys
 lsysc run space.lsys --size 9000 --max-memory 100M -o space.png
 printf 'axiom: F\nF --> F&[F]F+\n' > bush.lsys
