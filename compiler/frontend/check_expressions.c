@@ -272,6 +272,19 @@ static Expr *operation(Check *check, const AstExpr *ast, ExprKind kind, const As
   return expr;
 }
 
+static bool is_order(Operator op) {
+  return op == OP_LT || op == OP_LE || op == OP_GT || op == OP_GE;
+}
+
+// `1 < x < 5` is (1 < x) < 5, which always holds.
+static void warn_chain(Check *check, const AstExpr *ast) {
+  const AstExpr *left = ast->a;
+  if (left->kind != AST_BINARY || left->parenthesized) return;
+  if (!(is_order(ast->op) && is_order(left->op)) && !(ast->op == OP_EQ && left->op == OP_EQ)) return;
+  diag_warning(check->diag, WARN_COMPARISON, ast->span, "this compares the result of a comparison, which is 0 or 1");
+  diag_hint(check->diag, "two comparisons that both hold are joined by `&&`, as in `1 < x && x < 5`");
+}
+
 static Expr *expression(Check *check, const AstExpr *ast) {
   switch (ast->kind) {
   case AST_NUMBER:
@@ -281,6 +294,7 @@ static Expr *expression(Check *check, const AstExpr *ast) {
   case AST_UNARY:
     return operation(check, ast, EXPR_UNARY, (const AstExpr *[]){ast->a}, 1);
   case AST_BINARY:
+    warn_chain(check, ast);
     return operation(check, ast, EXPR_BINARY, (const AstExpr *[]){ast->a, ast->b}, 2);
   case AST_CHOICE:
     return operation(check, ast, EXPR_CHOICE, (const AstExpr *[]){ast->a, ast->b, ast->c}, 3);

@@ -35,6 +35,14 @@ static bool is_open(const char *begin, const char *end) {
   return depth > 0;
 }
 
+static bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+static bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
 static void hint(Parser *parser, const char *at, bool end, const char **expected, size_t count) {
   const Statement *s = parser->statement;
   bool module = is_expected(expected, count, "a module");
@@ -47,6 +55,8 @@ static void hint(Parser *parser, const char *at, bool end, const char **expected
     diag_hint(parser->diag, "symbols stand alone here; any number of arguments is meant");
   else if (module && *at == '(')
     diag_hint(parser->diag, "parentheses hold a module's arguments and stand behind it");
+  else if (at > s->begin && is_digit(at[-1]) && is_letter(*at) && is_expected(expected, count, "an operator"))
+    diag_hint(parser->diag, "a product is written `2*x`");
   else if (*at == ')' && !is_open(s->begin, at))
     diag_hint(parser->diag, "no `(` is open that this could close");
 }

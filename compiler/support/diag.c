@@ -9,6 +9,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 
 // The part of a source line that a message shows.
@@ -260,7 +261,8 @@ const char *diag_nearest(const char *name, const char *const *candidates, size_t
   const char *nearest = NULL;
   for (size_t i = 0; i < count; i++) {
     if (!candidates[i]) continue;
-    size_t d = distance(name, candidates[i]);
+    bool other_case = strcmp(name, candidates[i]) != 0 && strcasecmp(name, candidates[i]) == 0;
+    size_t d = other_case ? 1 : distance(name, candidates[i]);
     if (d < best && d < length) {
       best = d;
       nearest = candidates[i];
