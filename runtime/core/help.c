@@ -128,6 +128,16 @@ static void usage(FILE *to, const LsysGrammar *grammar) {
 #include "core/options.def"
 }
 
+static void options_of_formats(LsysHelp *help) {
+  lsys_help_title(help, "Options that only some formats read");
+  for (int i = 0; i < LSYS_OPTION_COUNT_; i++) {
+    char readers[160], left[80];
+    lsys_format_readers((LsysOption)i, readers, sizeof readers);
+    snprintf(left, sizeof left, "--%s", lsys_options[i].name);
+    if (*readers) lsys_help_entry(help, lsys_options[i].name, left, readers);
+  }
+}
+
 static void formats(LsysHelp *help) {
   lsys_help_title(help, "Formats (--format NAME, or by the suffix of -o FILE)");
   for (size_t i = 0; i < lsys_format_count; i++) {
@@ -141,6 +151,7 @@ static void formats(LsysHelp *help) {
     }
     lsys_help_entry(help, names, left, lsys_formats[i].doc);
   }
+  if (!help->only) options_of_formats(help);
 }
 
 static void turtle(LsysHelp *help) {

@@ -32,7 +32,6 @@ typedef struct Outputs {
   size_t borrowed;   // the first ones are not ours
   bool only_counts;  // nothing but --count of the derived word: a growth matrix can tell
   bool only_stats;   // nothing but --stats
-  bool draws;        // a picture, a model, or what there would be in one
   bool flows;        // a word to standard output, of which the reader may want the beginning only
 } Outputs;
 
@@ -44,7 +43,6 @@ static bool add_sink(Outputs *outputs, LsysSinkContext context, LsysSinkCreate *
   if (sink && shown && (context.grammar->flags & LSYS_GRAMMAR_HOMOMORPHISM))
     sink = lsys_sink_homomorphism(&context, sink);
   if (sink) outputs->sinks[outputs->count++] = sink;
-  outputs->draws |= reads == LSYS_READS_FIGURE;
   return sink;
 }
 
@@ -67,19 +65,9 @@ static bool add_word(Outputs *outputs, const LsysSinkContext *context, const Lsy
   bool whole = format && format->reads == LSYS_READS_WORD && !options[LSYS_OPTION_RANGE].given;
   if (to_file && whole && !lsys_fit_disk(lsys_fit_modules(derivation), path->text)) return false;
   if (!format || (to_file && !(outputs->file = lsys_out_open(path->text)))) return false;
+  lsys_format_tell_idle(format, context->options);
   outputs->flows = !to_file && format->reads == LSYS_READS_WORD;
   return add_sink(outputs, *context, format->create, format->reads, to_file ? outputs->file : outputs->screen);
-}
-
-// Says which options of pictures have nothing to do, as no picture and no model is asked for.
-static void tell_idle(const LsysOptionValue *options) {
-  static const LsysOption of_pictures[] = {LSYS_OPTION_PAGE_SIZE,  LSYS_OPTION_BACKGROUND, LSYS_OPTION_LINE_WIDTH,
-                                           LSYS_OPTION_COLOUR_BY,  LSYS_OPTION_PALETTE,    LSYS_OPTION_CAMERA,
-                                           LSYS_OPTION_PROJECTION, LSYS_OPTION_SIDES,      LSYS_OPTION_ANTIALIAS};
-  for (size_t i = 0; i < sizeof of_pictures / sizeof *of_pictures; i++)
-    if (options[of_pictures[i]].given)
-      lsys_note("--%s changes nothing here: it is for pictures and models, such as -o plant.svg",
-                lsys_options[of_pictures[i]].name);
 }
 
 // Reports go to standard output; the word too and before them, unless it has a file or only reports were asked for.
@@ -92,7 +80,7 @@ static bool open_outputs(Outputs *outputs, const LsysSinkContext *context, const
   outputs->screen = lsys_out_open("-");
   if (!outputs->screen || (word && !add_word(outputs, context, derivation)) || !add_reports(outputs, context))
     return false;
-  if (!outputs->draws && !outputs->borrowed) tell_idle(options);
+  if (!word && !outputs->borrowed) lsys_format_tell_idle(NULL, context->options);
   outputs->only_stats =
     options[LSYS_OPTION_STATS].given && !word && !options[LSYS_OPTION_RANGE].given && !options[LSYS_OPTION_HASH].given;
   outputs->only_counts =

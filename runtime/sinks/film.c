@@ -74,6 +74,7 @@ bool lsys_film_run(LsysDerivation *derivation, const LsysSinkContext *context) {
     lsys_error("--frames: give a file, such as -o plant.png, whose name the files get with a number");
     return false;
   }
+  lsys_format_tell_idle(format, context->options);
   LsysFilm film = {.steps = derivation->worker.run.steps, .animate = animate, .seconds = 0.5};
   LsysSinkContext own = *context;
   own.film = &film;

@@ -200,15 +200,13 @@ static void destroy(LsysSink *sink) {
   free(j);
 }
 
-// There are no colours to give before all segments are counted, and a file of numbers has no use for a palette.
+// There are no colours to give before all segments are counted.
 static bool read_colours(const LsysOptions *options, LsysColours *colours) {
   if (!lsys_colours_read(options, colours)) return false;
-  if (colours->by == LSYS_BY_PROGRESS)
-    lsys_error("--colour-by progress: json tells segments in the order in which they are drawn, and has pen, order, "
-               "kind and age");
-  else if (colours->list)
-    lsys_error("--palette: json has the indices of colours, not the colours");
-  return colours->by != LSYS_BY_PROGRESS && !colours->list;
+  if (colours->by != LSYS_BY_PROGRESS) return true;
+  lsys_error("--colour-by progress: json tells segments in the order in which they are drawn, and has pen, order, "
+             "kind and age");
+  return false;
 }
 
 LsysSink *lsys_sink_json(const LsysSinkContext *context) {

@@ -86,6 +86,7 @@ static bool write_file(const Format *format, Task *t) {
   const LsysOptionValue *path = &t->options->at[LSYS_OPTION_OUTPUT];
   t->out = lsys_out_open(path->given ? path->text : "-");
   if (!t->out) return false;
+  lsys_format_tell_idle(lsys_format_find(format->name, "-"), t->options);
   if (format->write(t)) return lsys_out_commit(t->out);
   lsys_out_abandon(t->out);
   return false;
