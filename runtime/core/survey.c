@@ -48,22 +48,29 @@ static bool has_blocks(const ScanTables *tables) {
 // Passes words of letters that hold no bracket to be found: none whose partner would have to come before all that wait.
 // Byte i of `sums` is what the depth gains in the first i + 1 letters, and i + 1 more, so that none is negative.
 INLINE void skip_words(Search *search, bool back) {
-  const uint64_t each = UINT64_C(0x0101010101010101), high = each << 7;
+  const uint64_t each = UINT64_C(0x0101010101010101), high = each << 7, start = high - UINT64_C(0x0807060504030201);
   const uint8_t up = (uint8_t)(back ? search->tables->close : search->tables->open);
   const uint8_t down = (uint8_t)(back ? search->tables->open : search->tables->close);
-  while ((back ? search->at - search->end : search->end - search->at) >= BLOCK) {
-    const uint8_t *letters = back ? search->at - BLOCK : search->at;
+  const uint8_t *at = search->at;
+  ptrdiff_t depth = search->depth;
+  while ((back ? at - search->end : search->end - at) >= BLOCK) {
+    const uint8_t *letters = back ? at - BLOCK : at;
     uint8_t turn[BLOCK];
-    for (int i = 0; i < BLOCK; i++) turn[i] = (uint8_t)(1 + (letters[i] == up) - (letters[i] == down));
-    for (int i = 0; i < BLOCK; i += WORD) {
-      uint64_t word, level = search->depth < WORD ? (uint64_t)search->depth : WORD;
+    int i = 0;
+    for (int k = 0; k < BLOCK; k++) turn[k] = (uint8_t)(1 - -(letters[k] == up) + -(letters[k] == down));
+#pragma GCC unroll 8
+    for (; i < BLOCK; i += WORD) {
+      uint64_t word, level = depth < WORD ? (uint64_t)depth : WORD;
       memcpy(&word, back ? turn + BLOCK - WORD - i : turn + i, sizeof word);
       uint64_t sums = (back ? __builtin_bswap64(word) : word) * each;
-      if (~(sums + level * each + (high - UINT64_C(0x0807060504030201))) & high) return;
-      search->depth += (ptrdiff_t)(sums >> 56) - WORD;
-      search->at += back ? -WORD : WORD;
+      if (~(sums + level * each + start) & high) break;
+      depth += (ptrdiff_t)(sums >> 56) - WORD;
     }
+    at += back ? -i : i;
+    if (i < BLOCK) break;
   }
+  search->at = at;
+  search->depth = depth;
 }
 
 INLINE const uint8_t *find_lone(Search *search, bool back) {
