@@ -57,6 +57,10 @@ static void hint(Parser *parser, const char *at, bool end, const char **expected
     diag_hint(parser->diag, "parentheses hold a module's arguments and stand behind it");
   else if (at > s->begin && is_digit(at[-1]) && is_letter(*at) && is_expected(expected, count, "an operator"))
     diag_hint(parser->diag, "a product is written `2*x`");
+  else if (*at == ',' && is_expected(expected, count, "an arrow"))
+    diag_hint(parser->diag, "conditions that all hold are joined by `&&`");
+  else if (*at == '=' && s->first.keyword && s->first.keyword->rest == SCAN_DEFINE)
+    diag_hint(parser->diag, "a value stands behind its name, as in `#define k 3`");
   else if (*at == ')' && !is_open(s->begin, at))
     diag_hint(parser->diag, "no `(` is open that this could close");
 }
