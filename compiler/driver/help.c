@@ -53,6 +53,18 @@ static void statement_rows(LsysHelp *help) {
 #include "frontend/keywords.def"
 }
 
+static void drawn_rows(LsysHelp *help) {
+  lsys_help_title(help, "Functions of expressions that files hold");
+#define DRAWN(id, name, arguments, doc) lsys_help_entry(help, name, name "(" arguments ")", doc);
+#include "frontend/drawn.def"
+}
+
+static void functions(FILE *out) {
+  lsys_help_subject(out, "functions");
+  fputc('\n', out);
+  drawn_rows(&(LsysHelp){.to = out});
+}
+
 // The options of lsysc itself, for a word such as dump.
 static void option_entries(LsysHelp *help) {
   lsys_help_title(help, "Options of lsysc");
@@ -80,7 +92,7 @@ static const struct {
   {"formats", NULL, "what a compiled program can write"},
   {"statements", statements, "what a grammar is made of"},
   {"turtle", NULL, "the symbols that draw"},
-  {"functions", NULL, "the functions of expressions"},
+  {"functions", functions, "the functions of expressions"},
   {"operators", NULL, "the operators of expressions"},
   {"settings", NULL, "angle:, step: and other statements that set a default"},
   {"environments", NULL, "what answers the modules ?E of open L-systems"},
@@ -130,6 +142,7 @@ bool help_topic(FILE *out, const char *name) {
   LsysHelp word = {.to = out, .only = name};
   statement_rows(&word);
   lsys_help_tables(&word);
+  drawn_rows(&word);
   warning_rows(&word);
   option_entries(&word);
   if (word.any) return true;

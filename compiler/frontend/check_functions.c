@@ -19,7 +19,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const curve_calls[] = {"curveX", "curveY", "curveZ"};
+enum {
+#define DRAWN(id, name, arguments, doc) DRAWN_##id,
+#include "frontend/drawn.def"
+  DRAWN_COUNT
+};
+
+static const char *const drawn[DRAWN_COUNT] = {
+#define DRAWN(id, name, arguments, doc) [DRAWN_##id] = name,
+#include "frontend/drawn.def"
+};
 
 // ---- collecting ------------------------------------------------------------------
 
@@ -209,11 +218,11 @@ void functions_collect(Check *check, const AstStatement *statement) {
 
 void functions_collected(Check *check) {
   Span nowhere = {0, 0};
-  if (check->splines.count && !name_intern(check, "func")->definitions.count)
-    check->chains[0] = new_function(check, "func", 2, nowhere) + 1;
-  for (int c = 0; c < 3 && check->curves.count; c++)
-    if (!name_intern(check, curve_calls[c])->definitions.count)
-      check->chains[c + 1] = new_function(check, curve_calls[c], 2, nowhere) + 1;
+  if (check->splines.count && !name_intern(check, drawn[DRAWN_FUNC])->definitions.count)
+    check->chains[DRAWN_FUNC] = new_function(check, drawn[DRAWN_FUNC], 2, nowhere) + 1;
+  for (int c = DRAWN_CURVE_X; c <= DRAWN_CURVE_Z && check->curves.count; c++)
+    if (!name_intern(check, drawn[c])->definitions.count)
+      check->chains[c] = new_function(check, drawn[c], 2, nowhere) + 1;
 }
 
 // ---- bodies --------------------------------------------------------------------------
@@ -314,14 +323,13 @@ void functions_read(Check *check) {
 // ---- calls ----------------------------------------------------------------------------
 
 static int chain_named(const char *name) {
-  if (strcmp(name, "func") == 0) return 0;
-  for (int c = 0; c < 3; c++)
-    if (strcmp(name, curve_calls[c]) == 0) return c + 1;
+  for (int c = DRAWN_FUNC; c <= DRAWN_CURVE_Z; c++)
+    if (strcmp(name, drawn[c]) == 0) return c;
   return -1;
 }
 
 bool functions_are_meant(const char *name) {
-  return chain_named(name) >= 0 || strcmp(name, "curveGAL") == 0;
+  return chain_named(name) >= 0 || strcmp(name, drawn[DRAWN_CURVE_LENGTH]) == 0;
 }
 
 // The number that a name or a constant as the first argument is; 0: it is neither.
@@ -352,7 +360,7 @@ static bool name_is_unread(Check *check, const char *text) {
 }
 
 const AstExpr *functions_call(Check *check, const AstExpr *ast) {
-  if (strcmp(ast->name, "curveGAL") == 0) return curve_length(check, ast);
+  if (strcmp(ast->name, drawn[DRAWN_CURVE_LENGTH]) == 0) return curve_length(check, ast);
   if (name_is_unread(check, ast->name)) return NULL;
   int chain = chain_named(ast->name);
   bool curve = chain > 0;

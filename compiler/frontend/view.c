@@ -269,13 +269,27 @@ static const Command *find(const Statement *line, const char **rest) {
   return NULL;
 }
 
+// As commands are spelt in the table: small letters, single blanks.
+static const char *plain_spelling(const View *view, const char *at, const char *end) {
+  char *copy = arena_array(view->build.arena, (size_t)(end - at) + 1, 1), *to = copy;
+  while (at < end) {
+    size_t blank = utf8_blank(at, end);
+    if (blank && to > copy && to[-1] != ' ') *to++ = ' ';
+    if (!blank) *to++ = (char)(*at >= 'A' && *at <= 'Z' ? *at | 0x20 : *at);
+    at += blank ? blank : 1;
+  }
+  while (to > copy && to[-1] == ' ') to--;
+  *to = '\0';
+  return copy;
+}
+
 static void unknown(View *view) {
   const Statement *line = view->line;
   const char *names[COMMANDS], *colon = memchr(line->begin, ':', (size_t)(line->end - line->begin));
   const char *end = colon ? colon : line->end;
   for (int i = 0; i < COMMANDS; i++) names[i] = commands[i].keyword;
   const char *given = arena_copy(view->build.arena, line->begin, (size_t)(end - line->begin));
-  const char *meant = diag_nearest(given, names, COMMANDS);
+  const char *meant = diag_nearest(plain_spelling(view, line->begin, end), names, COMMANDS);
   if (meant)
     diag_error(view->diag, statement_span(line, line->begin, end),
                "unknown command `%s:` of a view file; did you mean `%s:`?", given, meant);

@@ -16,3 +16,5 @@ lsysc run a.lsys -h turtle | head -1
 lsysc a 2>&1
 mv a.lsys b.lsys
 lsysc b 2>&1
+lsysc help func
+lsysc help curveGAL

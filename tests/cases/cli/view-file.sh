@@ -43,3 +43,5 @@ curve: ramp.func
 FILE
 lsysc check -w --view sub/wrong.v plant.l
 lsysc check -w --view none.v plant.l
+printf 'ANGLE  FACTR : 3\nViewpont: 1 2 3\ncontuor: a.con\n' > sub/misspelt.v
+lsysc check -w --view sub/misspelt.v plant.l
