@@ -16,7 +16,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { BUFFER = 1 << 17, ROOM = 1 << 16 };
+enum {
+  BUFFER = 1 << 17,
+  ROOM = 1 << 16,
+  DIRECT = 1 << 14,  // from so many bytes on, a call of the system takes less time than a copy
+};
 
 struct LsysOut {
   char *path;       // as messages show it
@@ -123,8 +127,9 @@ static bool flush(LsysOut *out) {
 
 bool lsys_out_write(LsysOut *out, const void *bytes, size_t size) {
   if (out->failed) return false;
-  if (size > BUFFER - out->filled && !flush(out)) return false;
-  if (size >= BUFFER) return write_all(out, bytes, size);
+  bool direct = size >= DIRECT;
+  if ((direct || size > BUFFER - out->filled) && !flush(out)) return false;
+  if (direct) return write_all(out, bytes, size);
   memcpy(out->buffer + out->filled, bytes, size);
   out->filled += size;
   return true;
