@@ -267,7 +267,7 @@ uint64_t line_most(uint64_t n);  // places for symbols that lines of n modules a
 // Between the stream and the variables that hold its cursors.
 void line_fetch(const Rewrite *rewrite);
 void line_settle(const Rewrite *rewrite);
-void line_hold(Rewrite *rewrite);  // makes such variables for the rest of the function
+void line_hold(Rewrite *rewrite);             // makes such variables for the rest of the function
 void line_write_out(const Rewrite *rewrite);  // lsys_flush
 // Cursors as parameters and results of rewriting functions.
 unsigned line_cursor_types(const Ir *ir, LLVMTypeRef *types);  // their number, at most 3
