@@ -4,6 +4,7 @@
 #include "sinks/model.h"
 
 #include "core/message.h"
+#include "sinks/gauge.h"
 #include "sinks/layout.h"
 #include "sinks/tubes.h"
 #include "turtle/turtle.h"
@@ -20,7 +21,7 @@ typedef struct ModelSink {
   LsysModelOptions options;
   const LsysGrammar *grammar;  // NULL before the first start word
   LsysTurtle *turtle;
-  LsysMeasure measure;
+  LsysGauge gauge;
   LsysLayout layout;
   LsysPalette palette;
   LsysRecolour recolour;
@@ -88,10 +89,11 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   m->current = axiom;
   m->drawing = pass == 1;
   if (!m->drawing) {
-    lsys_measure_begin(&m->measure, true);
-    lsys_turtle_begin(m->turtle, axiom, &m->measure.geometry);
-    return true;
+    LsysGeometry *gauge = lsys_gauge_begin(&m->gauge, run->memory, run->threads);
+    if (gauge) lsys_turtle_begin(m->turtle, axiom, gauge);
+    return gauge;
   }
+  lsys_gauge_close(&m->gauge);
   if (!m->open && !open_model(m)) return false;
   m->tubes.shift = shift_of(m);
   if (m->model->group && !m->model->group(m->model, axiom)) return false;
@@ -109,7 +111,8 @@ static bool take(LsysSink *sink, const LsysWord *part) {
 static bool end(LsysSink *sink) {
   ModelSink *m = (ModelSink *)sink;
   if (!lsys_turtle_end(m->turtle)) return false;
-  return m->drawing ? lsys_tubes_flush(&m->tubes) : lsys_layout_add(&m->layout, m->current, &m->measure);
+  if (m->drawing) return lsys_tubes_flush(&m->tubes);
+  return lsys_gauge_end(&m->gauge) && lsys_layout_add(&m->layout, m->current, &m->gauge.measure);
 }
 
 static bool finish(LsysSink *sink) {
@@ -123,6 +126,7 @@ static void destroy(LsysSink *sink) {
   lsys_turtle_destroy(m->turtle);
   lsys_layout_destroy(&m->layout);
   lsys_tubes_destroy(&m->tubes);
+  lsys_gauge_close(&m->gauge);
   m->model->destroy(m->model);
   free(m);
 }

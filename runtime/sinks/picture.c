@@ -7,6 +7,7 @@
 #include "core/memory.h"
 #include "core/message.h"
 #include "sinks/film.h"
+#include "sinks/gauge.h"
 #include "sinks/layout.h"
 #include "sinks/lettering.h"
 #include "sinks/view.h"
@@ -27,7 +28,7 @@ typedef struct Picture {
   LsysPictureOptions options;
   LsysCanvas *canvas;
   LsysTurtle *turtle;
-  LsysMeasure measure;
+  LsysGauge gauge;
   LsysLayout layout;
   LsysPalette palette;
   LsysRecolour recolour;
@@ -111,7 +112,7 @@ static bool measure_stroke(Picture *p, const LsysVec3 *v, const LsysStroke *stro
     for (uint32_t i = 0; i < n; i++) turned[i] = seen(p, v[from + i]);
     LsysStroke part = {0, n, stroke->pen, false};
     LsysStrokes batch = {turned, &part, 1, n};
-    if (!p->measure.geometry.strokes(&p->measure.geometry, &batch)) return false;
+    if (!p->gauge.measure.geometry.strokes(&p->gauge.measure.geometry, &batch)) return false;
     from += n - 1;
   }
   return true;
@@ -140,7 +141,7 @@ static bool polygon(LsysGeometry *geometry, const LsysVec3 *vertices, size_t cou
   if (!make_room(p, count)) return false;
   if (!drawing(p)) {
     for (size_t i = 0; i < count; i++) p->corner[i] = seen(p, vertices[i]);
-    return p->measure.geometry.polygon(&p->measure.geometry, p->corner, count, pen);
+    return p->gauge.measure.geometry.polygon(&p->gauge.measure.geometry, p->corner, count, pen);
   }
   for (size_t i = 0; i < count; i++) p->place[i] = on_page(p, vertices[i]);
   return p->canvas->fill(p->canvas, p->place, NULL, count, p->palette.rgb[pen->colour]);
@@ -166,7 +167,7 @@ static bool mesh(LsysGeometry *geometry, const LsysMesh *mesh, const LsysPlace *
     }
     if (!drawing(p)) {
       for (int k = 0; k < 3; k++) corner[k] = seen(p, corner[k]);
-      p->measure.geometry.polygon(&p->measure.geometry, corner, 3, pen);
+      p->gauge.measure.geometry.polygon(&p->gauge.measure.geometry, corner, 3, pen);
     } else if (!p->canvas->fill(p->canvas, at, mesh->normal ? normal : NULL, 3, p->palette.rgb[pen->colour])) {
       return false;
     }
@@ -191,7 +192,7 @@ static bool ball(LsysGeometry *geometry, const LsysVec3 *centre, double diameter
   if (p->pass) diameter *= eye_factor(&p->eye[p->current], &turned);
   if (!drawing(p)) {
     LsysVec3 middle = seen(p, *centre);
-    return p->measure.geometry.ball(&p->measure.geometry, &middle, diameter, disc, pen);
+    return p->gauge.measure.geometry.ball(&p->gauge.measure.geometry, &middle, diameter, disc, pen);
   }
   LsysPoint at[2] = {on_page(p, *centre), on_page(p, *centre)};
   LsysInk ink = lsys_layout_ink(&p->page, diameter * p->layout.scale, p->palette.rgb[pen->colour]);
@@ -203,7 +204,7 @@ static bool label(LsysGeometry *geometry, const LsysVec3 *at, const char *text, 
   Picture *p = picture_of(geometry);
   if (!drawing(p)) {
     LsysVec3 place = seen(p, *at);
-    return p->measure.geometry.label(&p->measure.geometry, &place, text, pen);
+    return p->gauge.measure.geometry.label(&p->gauge.measure.geometry, &place, text, pen);
   }
   double longest = fmax(p->page.width, p->page.height);
   LsysPoint place = on_page(p, *at);
@@ -287,9 +288,13 @@ static bool start(Picture *p, const LsysRun *run) {
   return reserve_page(p);
 }
 
-// What the turtle draws to in this pass.
+// What the turtle draws to in this pass; NULL after printing why there is nothing. The places of figures in space are
+// turned on this thread, and measured there.
 static LsysGeometry *target(Picture *p, const LsysRun *run) {
-  if (!drawing(p)) return p->solid ? &p->geometry : &p->measure.geometry;
+  if (!drawing(p)) {
+    LsysGeometry *gauge = lsys_gauge_begin(&p->gauge, p->memory, p->solid ? 1 : run->threads);
+    return p->solid ? &p->geometry : gauge;
+  }
   uint64_t segments = p->layout.figure[p->current].segments;
   return lsys_recolour_begin(&p->recolour, &p->options.colours, segments, run->steps, p->turtle, &p->geometry);
 }
@@ -300,12 +305,12 @@ static bool begin(LsysSink *sink, const LsysRun *run, uint32_t axiom, unsigned p
   p->current = axiom;
   p->pass = pass;
   if (drawing(p)) {
+    lsys_gauge_close(&p->gauge);
     if (!p->open && !open_page(p)) return false;
-  } else {
-    lsys_measure_begin(&p->measure, true);
   }
-  lsys_turtle_begin(p->turtle, axiom, target(p, run));
-  return true;
+  LsysGeometry *to = target(p, run);
+  if (to) lsys_turtle_begin(p->turtle, axiom, to);
+  return to;
 }
 
 static bool take(LsysSink *sink, const LsysWord *part) {
@@ -317,10 +322,12 @@ static bool end(LsysSink *sink) {
   Picture *p = (Picture *)sink;
   if (!lsys_turtle_end(p->turtle)) return false;
   if (drawing(p)) return true;
+  if (!lsys_gauge_end(&p->gauge)) return false;
   if (p->pass == 0) p->eye[p->current] = (LsysEye){.distance = INFINITY};
-  if (p->pass == 0 && p->options.perspective && lsys_measure_any(&p->measure) && lsys_measure_finite(&p->measure))
-    p->eye[p->current] = lsys_eye(p->measure.low, p->measure.high);
-  return p->pass + 2 < sink->passes || lsys_layout_add(&p->layout, p->current, &p->measure);
+  if (p->pass == 0 && p->options.perspective && lsys_measure_any(&p->gauge.measure)
+      && lsys_measure_finite(&p->gauge.measure))
+    p->eye[p->current] = lsys_eye(p->gauge.measure.low, p->gauge.measure.high);
+  return p->pass + 2 < sink->passes || lsys_layout_add(&p->layout, p->current, &p->gauge.measure);
 }
 
 static bool finish(LsysSink *sink) {
@@ -334,6 +341,7 @@ static void destroy(LsysSink *sink) {
   Picture *p = (Picture *)sink;
   lsys_turtle_destroy(p->turtle);
   lsys_layout_destroy(&p->layout);
+  lsys_gauge_close(&p->gauge);
   p->canvas->destroy(p->canvas);
   free(p->eye);
   lsys_memory_free(p->memory, p->corner, p->corner_room, sizeof *p->corner);

@@ -52,7 +52,7 @@ static void add_points(LsysMeasure *m, const LsysVec3 *point, size_t count) {
 static bool strokes(LsysGeometry *to, const LsysStrokes *batch) {
   LsysMeasure *m = (LsysMeasure *)to;
   add_points(m, batch->point, batch->points);
-  double length = m->length;  // in a register: sums wait for each other
+  double length = 0;  // of the batch, so that batches can be measured apart
   for (size_t i = 0; i < batch->count; i++) {
     const LsysStroke *s = &batch->stroke[i];
     const LsysVec3 *point = batch->point + s->first;
@@ -63,7 +63,7 @@ static bool strokes(LsysGeometry *to, const LsysStrokes *batch) {
     if (!m->wants_length) continue;
     for (uint32_t k = 1; k < s->count; k++) length += vec_length(vec_sum(point[k], 1, point[k - 1], -1));
   }
-  m->length = length;
+  m->length += length;
   return true;
 }
 
@@ -110,6 +110,20 @@ void lsys_measure_begin(LsysMeasure *m, bool wants_length) {
                      .low = {INFINITY, INFINITY, INFINITY},
                      .high = {-INFINITY, -INFINITY, -INFINITY},
                      .thinnest = INFINITY};
+}
+
+void lsys_measure_join(LsysMeasure *m, const LsysMeasure *part) {
+  m->segments += part->segments;
+  m->polygons += part->polygons;
+  m->meshes += part->meshes;
+  m->balls += part->balls;
+  for (int i = 0; i < 256; i++) m->of_colour[i] += part->of_colour[i];
+  m->length += part->length;
+  m->low = (LsysVec3){least(m->low.x, part->low.x), least(m->low.y, part->low.y), least(m->low.z, part->low.z)};
+  m->high = (LsysVec3){most(m->high.x, part->high.x), most(m->high.y, part->high.y), most(m->high.z, part->high.z)};
+  m->odd |= part->odd;
+  m->thinnest = least(m->thinnest, part->thinnest);
+  m->thickest = most(m->thickest, part->thickest);
 }
 
 bool lsys_measure_any(const LsysMeasure *m) {

@@ -18,6 +18,9 @@ typedef struct LsysMeasure {
 
 void lsys_measure_begin(LsysMeasure *m, bool wants_length);
 
+// Adds what was measured behind.
+void lsys_measure_join(LsysMeasure *m, const LsysMeasure *part);
+
 // The vertices of a placed mesh, one after another.
 static inline LsysVec3 lsys_mesh_vertex(const LsysMesh *mesh, const LsysPlace *p, uint32_t i) {
   LsysVec3 v = mesh->vertex[i];
