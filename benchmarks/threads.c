@@ -30,6 +30,7 @@ static const Row rows[] = {
   {"svg of plant", "plant", "-n 14 -o /dev/null --format svg"},
   {"json of plant", "plant", "-n 13 -o /dev/null --format json"},
   {"obj of plant", "plant", "-n 13 -o /dev/null --format obj"},
+  {"png of plant", "plant", "-n 13 --size 4096x4096 -o /dev/null --format png"},
   {"pdf of plant", "plant", "-n 13 -o /dev/null --format pdf"},
 };
 
