@@ -155,11 +155,21 @@ static bool make_skips(LsysSpread *s) {
   return true;
 }
 
-static void survey(LsysMember *member, void *data, uint64_t i) {
-  LsysSpread *s = data;
+static void survey_group(const LsysSpread *s, LsysRun *run, uint64_t i) {
   for (uint32_t k = s->groups[i].first; k < s->groups[i].end; k++)
-    survey_segment(&s->surveys[k], &s->tables, &member->worker.run, &s->segments[k], k,
-                   s->segments[k].arg + s->parts[k].narg);
+    survey_segment(&s->surveys[k], &s->tables, run, &s->segments[k], k, s->segments[k].arg + s->parts[k].narg);
+}
+
+static void survey(LsysMember *member, void *data, uint64_t i) {
+  survey_group(data, &member->worker.run, i);
+}
+
+// Without brackets there is little to be found, at the borders: other threads would take longer to wake.
+static bool survey_all(LsysSpread *s) {
+  if (s->tables.open != LSYS_NO_MODULE || s->tables.close != LSYS_NO_MODULE)
+    return lsys_team_each(&s->team, s->group_count, survey, s);
+  for (uint32_t i = 0; i < s->group_count; i++) survey_group(s, run_of(s), i);
+  return true;
 }
 
 // The arrays of surveys are kept, but no longer found by scan_array once they moved: new ones begin with zeros.
@@ -179,7 +189,7 @@ static bool prepare(LsysSpread *s, uint64_t step) {
   for (unsigned i = 0; i < s->team.count; i++)
     scan_start(&s->shares[i].scan, &s->tables, grammar_of(s)->views, &s->team.members[i].worker.run, s->segments,
                s->count, s->shares[i].left);
-  if (!lsys_team_each(&s->team, s->group_count, survey, s)) return false;
+  if (!survey_all(s)) return false;
   survey_join(&s->join, s->surveys, &s->tables, run_of(s), s->segments, s->count, s->borders);
   return true;
 }
