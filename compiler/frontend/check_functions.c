@@ -151,8 +151,9 @@ static double area_around(double *const values[3], unsigned pieces) {
   return area;
 }
 
-// A closed one is turned round where it has its inside on the right, so that normals show outwards.
-static void collect_contour(Check *check, const AstStatement *statement, const Spline *spline) {
+// cpfg lets x go along what it calls up, -U here, and y along -L. A closed one is turned round where it then has its
+// inside on the right, so that normals show outwards.
+static void collect_contour(Check *check, const AstStatement *statement, uint32_t number, const Spline *spline) {
   const unsigned pieces = spline->samples;
   double *values[3], *point = arena_array(check->arena, 2 * (pieces + (size_t)1), sizeof *point);
   for (int c = 0; c < 3; c++) values[c] = arena_array(check->arena, pieces + (size_t)1, sizeof(double));
@@ -161,22 +162,18 @@ static void collect_contour(Check *check, const AstStatement *statement, const S
     diag_error(check->diag, statement->value->span, "the contour's length is %s", length > 0 ? "infinite" : "0");
     return;
   }
-  bool back = spline->closed && area_around(values, pieces) < 0;
+  bool back = spline->closed && area_around(values, pieces) > 0;
   for (unsigned i = 0; i <= pieces; i++) {
     unsigned from = spline->closed && i == pieces ? 0 : i;
     if (back && from) from = pieces - from;
-    for (int c = 0; c < 2; c++) point[2 * i + (unsigned)c] = values[c][from];
+    for (int c = 0; c < 2; c++) point[2 * i + (unsigned)c] = 0 - values[1 - c][from];
   }
-  *VEC_PUSH(check->arena, &check->contours) =
-    (LsysContour){(uint32_t)strtoul(statement->name, NULL, 10), pieces, spline->closed, 0, point};
+  *VEC_PUSH(check->arena, &check->contours) = (LsysContour){number, pieces, spline->closed, 0, point};
 }
 
-// The name of a contour is its number, which no other one has.
-static bool is_contour_number(Check *check, const AstStatement *statement) {
-  char *end;
-  errno = 0;
-  unsigned long number = strtoul(statement->name, &end, 10);
-  if (*end || errno || number < 1 || number > LSYS_MOST_CONTOUR) {
+// A number that no other contour has.
+static bool is_contour_number(Check *check, const AstStatement *statement, unsigned long number) {
+  if (number < 1 || number > LSYS_MOST_CONTOUR) {
     diag_error(check->diag, statement->name_span, "a contour has a number, 1 to %d, for `@#(1)`", LSYS_MOST_CONTOUR);
     return false;
   }
@@ -188,9 +185,24 @@ static bool is_contour_number(Check *check, const AstStatement *statement) {
   return true;
 }
 
+// The name of a contour is its number; others of its file have those behind it.
+static void collect_contours(Check *check, const AstStatement *statement, Splines *splines) {
+  char *end;
+  errno = 0;
+  unsigned long number = strtoul(statement->name, &end, 10);
+  if (*end || errno) number = 0;
+  if (!is_contour_number(check, statement, number) || !read_file(check, statement, splines)) return;
+  for (size_t i = 0; i < splines->count; i++)
+    if (i == 0 || is_contour_number(check, statement, number + i))
+      collect_contour(check, statement, (uint32_t)(number + i), &splines->at[i]);
+}
+
 static void collect(Check *check, const AstStatement *statement, Splines *splines) {
   if (statement->kind == AST_FUNCTION && statement->name && !is_free(check, statement)) return;
-  if (statement->kind == AST_CONTOUR && !is_contour_number(check, statement)) return;
+  if (statement->kind == AST_CONTOUR) {
+    collect_contours(check, statement, splines);
+    return;
+  }
   if (!read_file(check, statement, splines)) return;
   if (!statement->name) {
     for (size_t i = 0; i < splines->count; i++)
@@ -201,8 +213,6 @@ static void collect(Check *check, const AstStatement *statement, Splines *spline
   if (!spline) return;
   if (statement->kind == AST_CURVE)
     collect_curve(check, statement, spline);
-  else if (statement->kind == AST_CONTOUR)
-    collect_contour(check, statement, spline);
   else
     collect_function(check, statement, statement->name, spline);
 }

@@ -22,7 +22,9 @@ typedef struct Reader {
   Splines *splines;
   bool curves;
   unsigned line;
-  size_t left;  // points that the last one still lacks
+  size_t left;     // points that the last one still lacks,
+  int dimensions;  //   and coordinates of each
+  size_t idle;     // lines that are read over
   char *why;
   size_t size;
 } Reader;
@@ -42,6 +44,7 @@ static Spline *current(Reader *r) {
 static bool begin(Reader *r) {
   if (r->left) return fail(r, "points are missing above this line");
   *VEC_PUSH(r->arena, r->splines) = (Spline){.name = "", .clamped = !r->curves, .samples = USUAL_SAMPLES};
+  r->dimensions = r->curves ? 3 : 2;
   return true;
 }
 
@@ -51,7 +54,7 @@ static bool begins_with(const char *line, const char *word) {
 
 static bool point(Reader *r, const char *line) {
   double number[4] = {0, 0, 0, 1};
-  int wanted = r->curves ? 3 : 2, given = 0;
+  int wanted = r->dimensions, given = 0;
   for (char *end; given < wanted + 1; given++, line = end) {
     double value = strtod(line, &end);
     if (end == line) break;
@@ -65,6 +68,19 @@ static bool point(Reader *r, const char *line) {
   Spline *spline = current(r);
   for (int times = 0; times < (number[3] >= 1 && number[3] <= DEGREE ? (int)number[3] : 1); times++)
     *VEC_PUSH(r->arena, &spline->points) = (SplinePoint){{number[0], number[1], number[2]}};
+  return true;
+}
+
+// The oldest form of a contour: `4 2 closed`, and nothing else before its points.
+static bool old_heading(Reader *r, const char *line) {
+  char *end, *behind;
+  long points = strtol(line, &end, 10), dimensions = strtol(end, &behind, 10);
+  if (!r->curves || points < 1 || points > MOST_POINTS || dimensions < 2 || dimensions > 3 || behind == end)
+    return fail(r, "this is no beginning of a contour or a function");
+  if (!begin(r)) return false;
+  current(r)->closed = strstr(behind, "closed") != NULL;
+  r->left = (size_t)points;
+  r->dimensions = (int)dimensions;
   return true;
 }
 
@@ -85,6 +101,14 @@ static bool samples(Reader *r, const char *value) {
   return true;
 }
 
+// In words, or open, closed and regular, endpoint as one letter each. A closed one that begins and ends in its first
+// point ends in a copy of it.
+static void type(Reader *r, const char *text) {
+  bool letters = (*text == 'o' || *text == 'c') && (text[1] == 'r' || text[1] == 'e') && (text[2] & 0x7f) <= ' ';
+  current(r)->closed = letters ? *text == 'c' : strstr(text, "closed") != NULL;
+  current(r)->clamped = !r->curves || (letters ? text[1] == 'e' : strstr(text, "endpoint") != NULL);
+}
+
 static bool heading(Reader *r, const char *line) {
   static const char *const idle[] = {
     "contact:", "end:", "heading:", "up:", "size:", "version:", "range:", "dimension:", "flip:"};
@@ -101,8 +125,11 @@ static bool heading(Reader *r, const char *line) {
     return true;
   }
   if (begins_with(line, "type:")) {
-    current(r)->closed = strstr(line, "closed") != NULL;
-    current(r)->clamped = !r->curves || strstr(line, "endpoint") != NULL;
+    type(r, line + 5 + strspn(line + 5, " \t"));
+    return true;
+  }
+  if (begins_with(line, "background") || begins_with(line, "markers:")) {  // the editor's
+    r->idle = begins_with(line, "markers:") ? strtoul(line + 8, NULL, 10) : 1;
     return true;
   }
   for (size_t i = 0; i < sizeof idle / sizeof *idle; i++)
@@ -111,15 +138,24 @@ static bool heading(Reader *r, const char *line) {
 }
 
 static bool read_line(Reader *r, const char *line) {
+  if (r->idle) {
+    r->idle--;
+    return true;
+  }
   line += strspn(line, " \t\r\n");
   if (!*line) return true;
-  return strchr("+-.0123456789", *line) && current(r) ? point(r, line) : heading(r, line);
+  if (!strchr("+-.0123456789", *line)) return heading(r, line);
+  return current(r) ? point(r, line) : old_heading(r, line);
 }
 
 static bool complete(Reader *r) {
   if (r->left) return fail(r, "the file ends before its last point");
-  for (size_t i = 0; i < r->splines->count; i++)
-    if (!r->splines->at[i].points.count) return fail(r, "there are no points");
+  for (size_t i = 0; i < r->splines->count; i++) {
+    Spline *spline = &r->splines->at[i];
+    if (!spline->points.count) return fail(r, "there are no points");
+    SplinePoint first = spline->points.at[0];
+    if (r->curves && spline->closed && spline->clamped) *VEC_PUSH(r->arena, &spline->points) = first;
+  }
   r->line = 0;
   return r->splines->count || fail(r, r->curves ? "there is no contour" : "there is no function");
 }
@@ -149,7 +185,7 @@ bool splines_read(Arena *arena, const char *path, bool curves, Splines *splines,
 
 // Points of the knot vector: those of a closed spline go on with its first ones.
 static size_t points_of(const Spline *s) {
-  return s->points.count + (s->closed ? DEGREE : 0);
+  return s->points.count + (s->closed && !s->clamped ? DEGREE : 0);
 }
 
 static unsigned degree_of(const Spline *s) {
@@ -159,7 +195,7 @@ static unsigned degree_of(const Spline *s) {
 
 static double knot(const Spline *s, size_t i) {
   size_t degree = degree_of(s), last = points_of(s) - degree;
-  if (!s->clamped || s->closed) return (double)i - (double)degree;
+  if (!s->clamped) return (double)i - (double)degree;
   return i < degree ? 0 : i - degree > last ? (double)last : (double)(i - degree);
 }
 

@@ -14,6 +14,7 @@
 typedef enum Meaning {
   VIEW_NUMBER,
   VIEW_FACTOR,
+  VIEW_LEVEL,
   VIEW_WIDTH,
   VIEW_STYLE,
   VIEW_VECTOR,
@@ -230,14 +231,22 @@ static void spline(View *view, Meaning meaning) {
   if (meaning == VIEW_CURVE) statement->name = arena_printf(view->build.arena, "curve.%u", ++view->curves);
 }
 
+static bool is_whole(const char *text) {
+  return *text && strspn(text, "0123456789") == strlen(text);
+}
+
+// number file, as in cpfg; or file [number].
 static void contour(View *view) {
-  Span span;
-  const char *number;
+  Span span = {0, 0};
+  const char *number = "";
+  const char *before = view->at;
+  bool first = word(view, &span, &number) && is_whole(number);
+  if (!first) view->at = before;
   AstExpr *path = file_name(view);
   if (!path) return;
   AstStatement *statement = add(view, AST_CONTOUR);
   statement->value = path;
-  if (word(view, &span, &number)) {
+  if (first || word(view, &span, &number)) {
     statement->name = number;
     statement->name_span = span;
     view->contour = strtoul(number, NULL, 10);
@@ -318,6 +327,10 @@ static void read_line(View *view) {
   case VIEW_FACTOR:
     if (!number(view, command->keyword, &value)) break;
     set(view, command->setting, ast_binary(view->build, OP_DIV, ast_number(view->build, value->span, 360), value));
+    break;
+  case VIEW_LEVEL:
+    if (!number(view, command->keyword, &value)) break;
+    set(view, command->setting, ast_number(view->build, value->span, exp2(value->number + 1)));
     break;
   case VIEW_WIDTH:
     if (!number(view, command->keyword, &value)) break;

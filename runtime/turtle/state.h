@@ -11,6 +11,7 @@
 enum {
   BATCH_POINTS = 2048,            // points of one batch; 48 KiB, it stays in the second-level cache
   BATCH_FULL = BATCH_POINTS - 3,  // points behind which it is handed on: a module adds three at most
+  MOST_SIDES = 64,                // of a generalised cylinder
   STRAIGHTEN_TURNS = 64,          // rotations of a frame after which it is made orthonormal again
 };
 

@@ -11,7 +11,7 @@
 
 #include <string.h>
 
-enum { CONTOUR_CORNERS = 64, MOST_RINGS = 256, SPLINE_RINGS = 6, ROW = CONTOUR_CORNERS + 1 };
+enum { MOST_RINGS = 256, SPLINE_RINGS = 6, ROW = MOST_SIDES + 1 };
 
 // A contour in the plane of L (to the left) and U: corners and unit normals, open or closed.
 typedef struct Contour {
@@ -29,7 +29,7 @@ static const LsysContour *file_contour(const LsysTurtle *t, uint32_t number) {
 }
 
 // So many sides of a file's contour, equally long along it. Normals are at right angles to the line between the
-// neighbours: out of a closed contour, to the left of an open one.
+// neighbours: out of a closed contour, to the left of an open one as it was drawn.
 static void sample_contour(Contour *c, const LsysContour *file, uint32_t sides) {
   c->corners = sides + 1;
   for (uint32_t i = 0; i <= sides; i++) {
@@ -43,7 +43,7 @@ static void sample_contour(Contour *c, const LsysContour *file, uint32_t sides) 
   for (uint32_t i = 0; i <= sides; i++) {
     uint32_t before = i ? i - 1 : file->closed ? sides - 1 : 0, behind = i < sides ? i + 1 : file->closed ? 1 : sides;
     double x = c->left[behind] - c->left[before], y = c->up[behind] - c->up[before];
-    double length = sqrt(x * x + y * y), unit = length > 0 ? (file->closed ? 1 : -1) / length : 0;
+    double length = sqrt(x * x + y * y), unit = length > 0 ? 1 / length : 0;
     c->normal_left[i] = y * unit;
     c->normal_up[i] = unit == 0 ? 1 : -x * unit;
   }
@@ -206,7 +206,7 @@ bool act_contour(LsysTurtle *t, int given, const double *arg) {
 }
 
 bool act_sides(LsysTurtle *t, int given, const double *arg) {
-  t->state.sides = given ? (uint8_t)whole(arg[0], 3, CONTOUR_CORNERS) : 8;
+  t->state.sides = given ? (uint8_t)whole(arg[0], 3, MOST_SIDES) : t->start.sides;
   return true;
 }
 

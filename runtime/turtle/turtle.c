@@ -248,7 +248,7 @@ static bool set_up(LsysTurtle *t) {
                      .scale = 1,
                      .size = 1,
                      .tangent = {1.2, 1.2},
-                     .sides = 8,
+                     .sides = (uint8_t)fmin(fmax(turtle_setting(t->run, LSYS_SETTING_CONTOUR_SIDES), 3), MOST_SIDES),
                      .elasticity = elasticity,
                      .frame = first_frame(&t->directions),
                      .kept = first_frame(&t->directions)};
