@@ -15,7 +15,7 @@ static const struct {
   {"turtle", bench_turtle, "words to segments that nobody draws, in the plane and in space"},
   {"outputs", bench_outputs, "text, hash, SVG and PNG of big words"},
   {"sweep", bench_sweep, "cost per module and memory as a streamed word grows"},
-  {"threads", bench_threads, "one thread and two, beside plain arithmetic on as many"},
+  {"threads", bench_threads, "one thread and two, beside plain arithmetic and memcpy on as many"},
   {"start", bench_start, "start-up, compile times, time to the first module"},
   {"passes", bench_passes, "where the time of a compilation goes"},
   {"today", bench_today, "the npm package lindenmayer, run by node where both are installed"},

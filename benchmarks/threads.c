@@ -1,5 +1,5 @@
 // threads.c -- the same run on one thread and on two, beside plain arithmetic
-// on as many: what the machine itself gives for a second thread. Runs are whole
+// and memcpy on as many: what the machine itself gives for a second thread. Runs are whole
 // programs: hashes and counts, which leave little to be done in order, and
 // words as text and as bytes and pictures, written to nowhere.
 #include "bench.h"
@@ -9,6 +9,7 @@
 
 #include <pthread.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 typedef struct Row {
@@ -18,6 +19,7 @@ typedef struct Row {
 static const Row rows[] = {
   {"hash of shrub", "shrub", "-n 15 --seed 1 --hash"},
   {"count of shrub", "shrub", "-n 15 --seed 1 --count"},
+  {"hash of koch", "koch", "-n 10 --hash"},
   {"hash of random tree", "random-tree", "-n 25 --seed 1 --hash"},
   {"count of guards", "guards", "-n 45 --count"},
   {"text of random tree", "random-tree", "-n 21 --seed 1 -o /dev/null --format text"},
@@ -42,14 +44,31 @@ static void *arithmetic(void *data) {
   return NULL;
 }
 
+static void *copying(void *data) {
+  const size_t bytes = (size_t)1 << 26;
+  char *from = malloc(bytes), *to = malloc(bytes);
+  if (!from || !to) abort();
+  memset(from, 1, bytes);
+  for (int i = 0; i < 8; i++) memcpy(to, from + i, bytes - 8);
+  *(volatile double *)data = to[bytes / 2];
+  free(from);
+  free(to);
+  return NULL;
+}
+
+typedef struct Work {
+  void *(*work)(void *result);
+  unsigned threads;
+} Work;
+
 // A fixed amount of work for each of so many threads.
-static void run_arithmetic(void *data) {
-  const unsigned *threads = data;
+static void run_work(void *data) {
+  const Work *work = data;
   pthread_t others[8];
   double results[8];
-  for (unsigned i = 1; i < *threads; i++) pthread_create(&others[i], NULL, arithmetic, &results[i]);
-  arithmetic(&results[0]);
-  for (unsigned i = 1; i < *threads; i++) pthread_join(others[i], NULL);
+  for (unsigned i = 1; i < work->threads; i++) pthread_create(&others[i], NULL, work->work, &results[i]);
+  work->work(&results[0]);
+  for (unsigned i = 1; i < work->threads; i++) pthread_join(others[i], NULL);
 }
 
 // work: how many times as much two threads did.
@@ -63,12 +82,11 @@ static void print_row(const Options *options, const char *name, const Side *side
   fflush(stdout);
 }
 
-static void time_arithmetic(const Options *options) {
-  unsigned one = 1, two = 2;
-  Side sides[2] = {{.name = "one", .run = run_arithmetic, .data = &one},
-                   {.name = "two", .run = run_arithmetic, .data = &two}};
+static void time_work(const Options *options, const char *name, void *(*work)(void *)) {
+  Work one = {work, 1}, two = {work, 2};
+  Side sides[2] = {{.name = "one", .run = run_work, .data = &one}, {.name = "two", .run = run_work, .data = &two}};
   measure(sides, 2, options->runs);
-  print_row(options, "arithmetic", sides, 2);
+  print_row(options, name, sides, 2);
 }
 
 static void time_row(const Options *options, const Row *row) {
@@ -92,7 +110,8 @@ static void time_row(const Options *options, const Row *row) {
 
 void bench_threads(const Options *options) {
   if (!options->json) printf("%-22s %9s %9s %8s %8s\n", "row", "1 thread", "2 threads", "speedup", "cost");
-  if (bench_wants(options, "arithmetic")) time_arithmetic(options);
+  if (bench_wants(options, "arithmetic")) time_work(options, "arithmetic", arithmetic);
+  if (bench_wants(options, "memcpy")) time_work(options, "memcpy", copying);
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
     if (bench_wants(options, rows[i].name)) time_row(options, &rows[i]);
 }
