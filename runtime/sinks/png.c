@@ -106,7 +106,7 @@ static uint64_t magnitude(const uint8_t *at, size_t size) {
     size_t n = size / LANES < MOST_SUMMED ? size / LANES : MOST_SUMMED;  // 16 bits hold their sums
     Shorts sums = {0};
     for (const uint8_t *end = at + n * LANES; at < end; at += LANES) {
-      Signed number = (Signed)bytes_at(at), negative = number < 0;
+      Bytes number = bytes_at(at), negative = (Bytes)((Signed)number < 0);
       Shorts positive = (Shorts)((number ^ negative) - negative);
       sums += (positive & 255) + (positive >> 8);
     }
