@@ -12,7 +12,7 @@
 
 #define TAILCC 18u  // llvm::CallingConv::Tail
 #define FASTCC 8u   // llvm::CallingConv::Fast
-#define KEEPCC 15u  // llvm::CallingConv::PreserveAll
+#define KEEPCC 14u  // llvm::CallingConv::PreserveMost: PreserveAll loses upper halves of AVX registers to vzeroupper
 
 #define MIRROR(Type, field, place) _Static_assert(offsetof(Type, field) == (place), #Type "." #field " moved")
 MIRROR(LsysStream, sym, 8 * STREAM_SYM);
