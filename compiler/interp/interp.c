@@ -7,6 +7,7 @@
 #include "interp/interp.h"
 
 #include "interp/rewrite.h"
+#include "lsys/number.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -107,7 +108,7 @@ static bool decomposes(const Program *program) {
 
 static bool is_copy(const Boxes *a, size_t i, const Boxes *b, size_t k, uint32_t arity) {
   const Box *x = &a->at[i], *y = &b->at[k];
-  return x->kind == y->kind && (!arity || !memcmp(a->arg + x->args, b->arg + y->args, arity * sizeof(double)));
+  return x->kind == y->kind && lsys_numbers_same(a->arg + x->args, b->arg + y->args, arity);
 }
 
 // What came of a module of the word before was born in this step, unless it is that module alone.

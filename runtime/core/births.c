@@ -7,6 +7,7 @@
 
 #include "core/cut.h"
 #include "core/store.h"
+#include "lsys/number.h"
 
 #include <string.h>
 
@@ -53,7 +54,7 @@ static Level *push(LsysBirths *b, uint64_t born) {
 
 bool lsys_births_same(const LsysGrammar *grammar, const LsysWord *a, const LsysWord *b) {
   return a->nsym == b->nsym && a->narg == b->narg && !memcmp(a->sym, b->sym, a->nsym * lsys_symbol_width(grammar))
-      && (!a->narg || !memcmp(a->arg, b->arg, a->narg * sizeof *a->arg));
+      && lsys_numbers_same(a->arg, b->arg, a->narg);
 }
 
 static uint32_t first_kind(const LsysGrammar *grammar, const LsysWord *word) {

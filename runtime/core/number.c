@@ -255,3 +255,9 @@ char *lsys_number_round(char *to, double x, int digits) {
   if (x < 0) *to++ = '-';
   return layout(to, (Decimal){rounded, exponent - digits + 1});
 }
+
+bool lsys_numbers_same(const double *a, const double *b, size_t count) {
+  size_t i = 0;
+  while (i < count && (memcmp(&a[i], &b[i], sizeof *a) == 0 || (a[i] != a[i] && b[i] != b[i]))) i++;
+  return i == count;
+}

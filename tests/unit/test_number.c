@@ -181,8 +181,18 @@ static void few_digits(void **state) {
   }
 }
 
+static void test_same(void **state) {
+  (void)state;
+  const double a[] = {1, NAN, -0.0}, b[] = {1, -NAN, -0.0}, c[] = {1, NAN, 0.0};
+  assert_true(lsys_numbers_same(a, b, 3));
+  assert_false(lsys_numbers_same(a, c, 3));
+  assert_true(lsys_numbers_same(a, c, 2));
+  assert_true(lsys_numbers_same(NULL, NULL, 0));
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+    cmocka_unit_test(test_same),
     cmocka_unit_test(known_texts),
     cmocka_unit_test(powers_of_two_and_neighbours),
     cmocka_unit_test(powers_of_ten_and_neighbours),

@@ -19,6 +19,8 @@ done
 # What is shown draws with the keys of modules that stay.
 printf 'axiom: D\nA --> CD\nD --> A\ninterpretation\nC --> F : 1\nC --> f : 1\n' > keys.lsys
 for engine in run interp; do lsysc $engine keys.lsys -n 20 --colour-by age --format json | grep '^\[' | grep -o '[0-9]*\]' | tr '\n' ' '; echo; done
+printf 'axiom: A\nA --> D(asin(3),10)\nD(a,b) --> D(1,-((a+b))*b)\ninterpretation\nD(a,b) --> F\n' > nan.lsys # one nan is as good as another
+for engine in run interp; do lsysc $engine nan.lsys -n 4 --colour-by age --format json | grep '^\[' | grep -o '[0-9]*\]'; done
 # Whatever the grammar, and the engine: contexts, letters alone, decomposition, state, rings, predecessors of several
 # modules, the cut, sub-L-systems, and homomorphism that sees neighbours.
 printf 'axiom: A(1)F(1)\nF(x) < A(y) --> F(x)\nA(x) > F(y) --> A(x+1)F(y)\n' > context.lsys
@@ -30,7 +32,8 @@ printf 'axiom: FGFGF\nF G --> GFF\n' > pseudo.lsys
 printf 'axiom: F[FG%%F]F[FFH]\nG --> F\nH --> %%FG\nF --> F\n' > cut.lsys
 printf 'lsystem: 1\naxiom: F?(2)FF$F\nF --> FG\nG --> F\nendlsystem\nlsystem: 2\nF --> GG\nendlsystem\n' > systems.lsys
 printf 'axiom: FA\nF --> FB\nA < A --> A\nA --> AA\ninterpretation\nF < B --> F+F\nA --> F\n' > looks.lsys
-for grammar in context letters decomposed state ring pseudo cut systems looks; do
+printf 'axiom: A\nA < A --> A\nA --> D(asin(3),10)\nD(a,b) --> D(1,-((a+b))*b)\ninterpretation\nD(a,b) --> F\n' > nans.lsys
+for grammar in nans context letters decomposed state ring pseudo cut systems looks; do
   lsysc interp $grammar.lsys -n 3 --colour-by age --format json > one.json || continue
   for options in '' '--threads 3' '--engine step'; do
     lsysc run $grammar.lsys -n 3 --colour-by age $options --format json > two.json && cmp one.json two.json
