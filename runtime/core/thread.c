@@ -13,10 +13,11 @@ enum {
   LEAST_STACK = 1 << 23,    // the interpreter does not tell how deep it goes
 };
 
-// Virtual size: a frame for each step, no more than half of the allowed memory.
+// Virtual size: a frame for each step, no more than half of the allowed memory. Without a grammar nothing is derived.
 static size_t stack_size(const LsysWorker *worker) {
+  const LsysGrammar *grammar = worker->run.grammar;
   uint64_t size, steps = worker->run.steps > UINT64_MAX - 64 ? UINT64_MAX : worker->run.steps + 64;
-  if (__builtin_mul_overflow(steps, (uint64_t)worker->run.grammar->frame_bytes, &size)) size = UINT64_MAX;
+  if (__builtin_mul_overflow(steps, grammar ? (uint64_t)grammar->frame_bytes : 0, &size)) size = UINT64_MAX;
   if (size > worker->memory->limit / 2) size = worker->memory->limit / 2;
   if (size < LEAST_STACK) size = LEAST_STACK;
   return (size_t)(size & ~UINT64_C(0xffff)) + GUARD_BYTES + RESERVE_BYTES;

@@ -6,7 +6,7 @@
 #include "core/out.h"
 #include "sinks/pack.h"
 #include "sinks/press.h"
-#include "sinks/raster.h"
+#include "sinks/stripes.h"
 
 #include <png.h>
 #include <stdlib.h>
@@ -17,8 +17,9 @@ typedef struct Png {
   LsysOut *out;
   LsysPage page;
   LsysRaster *raster;
-  png_structp png;  // while the file is written
-  uint32_t sum;     // of what was packed
+  LsysStripes *stripes;  // in which several threads draw lines; NULL: one does
+  png_structp png;       // while the file is written
+  uint32_t sum;          // of what was packed
 } Png;
 
 enum { BAND_BYTES = 1 << 18 };  // of pixels that are packed at once
@@ -32,7 +33,9 @@ static bool reserve(LsysCanvas *canvas, const LsysPage *page) {
   Png *p = (Png *)canvas;
   p->page = *page;
   p->raster = page->solid ? lsys_raster_solid(page) : lsys_raster_flat(page);
-  return p->raster != NULL;
+  if (!p->raster || !p->raster->line_within || page->threads < 2) return p->raster != NULL;
+  p->stripes = lsys_stripes_open(page, p->raster);
+  return p->stripes != NULL;
 }
 
 // Of the size that was reserved, if one was.
@@ -42,19 +45,25 @@ static bool open_page(LsysCanvas *canvas, const LsysPage *page) {
 
 static bool line(LsysCanvas *canvas, const LsysPoint *point, size_t count, const LsysInk *ink, bool joined) {
   (void)joined;
-  LsysRaster *raster = ((Png *)canvas)->raster;
-  raster->line(raster, point, count, ink);
+  const Png *p = (const Png *)canvas;
+  if (p->stripes) return lsys_stripes_add(p->stripes, point, count, ink);
+  p->raster->line(p->raster, point, count, ink);
   return true;
 }
 
+// All lines until now are on the raster.
+static bool draw(const Png *p) {
+  return !p->stripes || lsys_stripes_draw(p->stripes);
+}
+
 static bool fill(LsysCanvas *canvas, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb) {
-  LsysRaster *raster = ((Png *)canvas)->raster;
-  return raster->fill(raster, point, normal, count, rgb);
+  const Png *p = (const Png *)canvas;
+  return draw(p) && p->raster->fill(p->raster, point, normal, count, rgb);
 }
 
 static bool covered(const LsysCanvas *canvas, const LsysPoint *middle, double radius, const LsysInk *ink) {
   const LsysRaster *raster = ((const Png *)canvas)->raster;
-  return raster->covered && raster->covered(raster, middle, radius, ink);
+  return raster->covered && draw((const Png *)canvas) && raster->covered(raster, middle, radius, ink);
 }
 
 // ---- the file ------------------------------------------------------------
@@ -213,6 +222,7 @@ static bool write_file(Png *p, png_infop info) {
 
 static bool close_page(LsysCanvas *canvas) {
   Png *p = (Png *)canvas;
+  if (!draw(p)) return false;
   p->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, refuse, keep_quiet);
   png_infop info = p->png ? png_create_info_struct(p->png) : NULL;
   bool ok = info && write_file(p, info);
@@ -223,6 +233,7 @@ static bool close_page(LsysCanvas *canvas) {
 
 static void destroy(LsysCanvas *canvas) {
   LsysRaster *raster = ((Png *)canvas)->raster;
+  lsys_stripes_close(((Png *)canvas)->stripes);
   if (raster) raster->destroy(raster);
   free(canvas);
 }

@@ -103,6 +103,10 @@ static inline int centre_behind(double x, int limit) {
   return x > -0.5 ? x < limit ? (int)(x + 0.5) : limit : 0;
 }
 
+static inline int within(int x, int low, int high) {
+  return x < low ? low : x > high ? high : x;
+}
+
 // Where the pixels whose centres a segment can touch begin and end on a row.
 typedef struct Span {
   int from, to;
@@ -142,13 +146,15 @@ static inline float cover_at(float distance, float radius) {
   return far - near;
 }
 
-static void segment(Raster *r, const LsysPoint *a, const LsysPoint *b, double width, uint32_t rgb) {
+// In rows from .. end-1.
+static void segment(Raster *r, const LsysPoint *a, const LsysPoint *b, double width, uint32_t rgb, int from, int end) {
   const double half = width / 2, reach = half + 0.5;
   const float dx = (float)(b->x - a->x), dy = (float)(b->y - a->y), squared = dx * dx + dy * dy;
+  const int top = within(centre_behind((dy < 0 ? b->y : a->y) - reach, r->height), from, end);
+  const int bottom = within(centre_behind((dy < 0 ? a->y : b->y) + reach, r->height), from, end);
+  if (top == bottom) return;
   const float inverse = squared > 0 ? 1 / squared : 0, radius = (float)half;
   const Strip strip = strip_of(a, b, reach);
-  int top = centre_behind((dy < 0 ? b->y : a->y) - reach, r->height);
-  int bottom = centre_behind((dy < 0 ? a->y : b->y) + reach, r->height);
   for (int y = top; y < bottom; y++) {
     Span span = span_of(r, &strip, y + 0.5);
     Pixel *p = r->pixel + (size_t)y * (size_t)r->width;
@@ -169,10 +175,15 @@ static double width_of(const Raster *r, const LsysInk *ink) {
   return r->antialias ? ink->width : fmax(ink->width, 1);
 }
 
-static void line(LsysRaster *raster, const LsysPoint *point, size_t count, const LsysInk *ink) {
+static void line_within(LsysRaster *raster, const LsysPoint *point, size_t count, const LsysInk *ink, int from,
+                        int end) {
   Raster *r = (Raster *)raster;
   double width = width_of(r, ink);
-  for (size_t i = 1; i < count; i++) segment(r, &point[i - 1], &point[i], width, ink->rgb);
+  for (size_t i = 1; i < count; i++) segment(r, &point[i - 1], &point[i], width, ink->rgb, from, end);
+}
+
+static void line(LsysRaster *raster, const LsysPoint *point, size_t count, const LsysInk *ink) {
+  line_within(raster, point, count, ink, 0, ((Raster *)raster)->height);
 }
 
 // No pixel could be covered by more than NOTHING_SEEN above what it is.
@@ -360,7 +371,7 @@ LsysRaster *lsys_raster_flat(const LsysPage *page) {
     lsys_error("a picture of %ux%u pixels does not fit into memory", page->width, page->height);
     return NULL;
   }
-  *r = (Raster){.raster = {line, fill, row, destroy, covered},
+  *r = (Raster){.raster = {line, line_within, fill, row, destroy, covered},
                 .width = (int)page->width,
                 .height = (int)page->height,
                 .antialias = page->antialias,

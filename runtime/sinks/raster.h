@@ -9,6 +9,9 @@ typedef struct LsysRaster LsysRaster;
 struct LsysRaster {
   // Segments between count points with round ends and joints.
   void (*line)(LsysRaster *raster, const LsysPoint *point, size_t count, const LsysInk *ink);
+  // The same as far as it lies in rows from .. end-1, which several threads may do in rows of their own; NULL: one
+  // thread has to draw everything.
+  void (*line_within)(LsysRaster *raster, const LsysPoint *point, size_t count, const LsysInk *ink, int from, int end);
   // A polygon, lit by the normals of its points or its own. False if memory ran out (printed).
   bool (*fill)(LsysRaster *raster, const LsysPoint *point, const LsysVec3 *normal, size_t count, uint32_t rgb);
   // One finished row: width pixels of R, G, B, A.

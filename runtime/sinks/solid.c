@@ -239,7 +239,7 @@ LsysRaster *lsys_raster_solid(const LsysPage *page) {
     lsys_error("a picture of %ux%u pixels does not fit into memory", page->width, page->height);
     return NULL;
   }
-  *s = (Solid){.raster = {line, fill, row, destroy},
+  *s = (Solid){.raster = {.line = line, .fill = fill, .row = row, .destroy = destroy},
                .page = *page,
                .cutter = {.memory = page->memory},
                .booked = bytes,
