@@ -125,11 +125,9 @@ static bool choose_engine(LsysDerivation *derivation, const LsysOptions *options
   if (!given->given || grammar->derive) return true;
   bool expand = strcmp(given->text, "expand") == 0, step = strcmp(given->text, "step") == 0;
   derivation->expands = expand;
-  if ((expand && grammar->expand) || (step && grammar->step)) return true;
+  if ((expand && grammar->expand) || step) return true;
   if (expand)
     lsys_error("--engine expand: the grammar is not context-free");
-  else if (step)
-    lsys_error("--engine step: the grammar was compiled for the expand engine only");
   else
     lsys_error("--engine %s: the engines are expand and step", given->text);
   return false;
@@ -238,6 +236,12 @@ typedef struct Task {
   bool well;
 } Task;
 
+static bool step(Task *task) {
+  LsysDerivation *d = task->derivation;
+  if (task->worker->run.births) return lsys_births_step(&task->births_step, task->worker, &task->word, task->sink);
+  return lsys_stepper_run(&task->stepper, task->worker, &task->word, task->sink, d->threads, d->stretch);
+}
+
 // The word flows into the sink: as it is, from the interpreter, or from compiled code.
 static bool derive(Task *task) {
   LsysRun *run = &task->worker->run;
@@ -248,14 +252,11 @@ static bool derive(Task *task) {
     if (!pack_axiom(task->worker, task->axiom, &task->word)) return false;
     run->born = 0;
     if (run->steps == 0 && !grammar->block) return task->sink->take(task->sink, &task->word);
-    if (!task->derivation->expands && run->births)
-      return lsys_births_step(&task->births_step, task->worker, &task->word, task->sink);
-    if (!task->derivation->expands)
-      return lsys_stepper_run(&task->stepper, task->worker, &task->word, task->sink, task->derivation->threads,
-                              task->derivation->stretch);
+    if (grammar->step && !task->derivation->expands) return step(task);
   }
   if (!task->derivation->blocks && !(task->derivation->blocks = lsys_blocks_build(task->worker))) return false;
   if (run->births && !grammar->derive) return lsys_births_run(&task->births, task->worker, &task->word, task->sink);
+  if (!task->derivation->expands && !grammar->derive) return step(task);
   unsigned threads = task->derivation->threads;
   if (task->derivation->has_range && !grammar->derive && grammar->growth.row)
     return lsys_descent_run(&task->descent, task->worker, &task->word, &task->window);

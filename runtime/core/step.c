@@ -9,9 +9,9 @@ enum {
 
 static bool open_stepper(LsysStepper *stepper, LsysWorker *worker, LsysSink *sink) {
   const LsysGrammar *grammar = worker->run.grammar;
-  *stepper = (LsysStepper){.worker = worker};
+  *stepper = (LsysStepper){.worker = worker, .steps = worker->run.steps};
   for (int i = 0; i < 2; i++) lsys_store_open(&stepper->words[i], grammar, worker->memory);
-  return lsys_walk_open(&stepper->walk, worker) && lsys_writer_open(&stepper->writer, worker, sink);
+  return (!grammar->step || lsys_walk_open(&stepper->walk, worker)) && lsys_writer_open(&stepper->writer, worker, sink);
 }
 
 void lsys_stepper_close(LsysStepper *stepper) {
@@ -25,10 +25,23 @@ void lsys_stepper_close(LsysStepper *stepper) {
 
 // ---- one step ----------------------------------------------------------------
 
+// One step of a context-free grammar, whose modules have keys as long as there are steps to go.
+static void expand_once(LsysStepper *stepper, const LsysWord *word, uint64_t step) {
+  uint64_t left = stepper->steps - step;
+  if (left > 1)
+    lsys_writer_advance(&stepper->writer, word, stepper->steps, left, left - 1);
+  else
+    lsys_writer_finish(&stepper->writer, word, stepper->steps, left);
+}
+
 // Rewrites every module of the stored word into what the writer writes to.
 static void rewrite(LsysStepper *stepper, uint64_t step) {
   const LsysStore *from = &stepper->words[stepper->now];
   LsysWord word = lsys_store_word(from);
+  if (!stepper->worker->run.grammar->step) {
+    expand_once(stepper, &word, step);
+    return;
+  }
   lsys_look(&stepper->worker->run, &word, from->arg);
   LsysScan *scan = lsys_walk_start(&stepper->walk, &word);
   scan->step = step;

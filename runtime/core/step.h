@@ -1,5 +1,6 @@
 // step.h -- the step engine's driver: word after word in memory, each written
-// by the grammar's `step` from the one before.
+// by the grammar's `step` from the one before, or by its `expand` where no
+// module looks at others.
 #ifndef LSYS_CORE_STEP_H
 #define LSYS_CORE_STEP_H
 
@@ -10,7 +11,8 @@
 
 typedef struct LsysStepper {
   LsysWorker *worker;
-  LsysWalk walk;       // through the word that is read
+  uint64_t steps;
+  LsysWalk walk;       // through the word that is read; unused where `expand` makes the steps
   LsysStore words[2];  // take turns: one is read while the other one is written
   LsysWriter writer;   // into a store, or the sink
   unsigned now;        // the store that holds the word, unless

@@ -24,6 +24,7 @@ static const struct {
   {"-O2", "-O2", "", true, false},
   {"-O2 --threads 2", "-O2", "--threads 2", true, true},
   {"-O2 --threads 7", "-O2", "--threads 7", true, true},
+  {"-O2 --engine step", "-O2", "--engine step", true, true},
 };
 enum { ENGINE_COUNT = sizeof engines / sizeof *engines };
 

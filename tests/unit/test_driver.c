@@ -173,7 +173,7 @@ static void options(void **state) {
   refuse(&algae, "-n 1 --format txet", "did you mean 'text'?");
   refuse(&algae, "-n 1 --axiom 2", "the grammar has 1 start word");
   refuse(&algae, "-n 1 --engine x", "the engines are expand and step");
-  refuse(&algae, "-n 1 --engine step", "for the expand engine only");
+  expect(&algae, "-n 5 --engine step", "ABAABABAABAAB\n");
   expect(&algae, "-n 5 --engine expand --progress --quiet", "ABAABABAABAAB\n");
   refuse(&algae, "-n 1 -o /nowhere/x.txt", "cannot write /nowhere/x.txt");
   refuse(&algae, "-n 30 -o /dev/full", "No space left on device");
